@@ -1,0 +1,135 @@
+//! The reference scenes: every figure of speed and every reference picture names one of these. All of them are constants, in flash.
+
+use core::f32::consts::PI;
+use embedded_lathe::{
+    Background, Camera, End, Lathe, Light, Pose, Profile, Rgb, Rotation, Scene, Segment, Solid,
+    valid,
+};
+
+/// A vase, open at the top.
+pub static VASE: Lathe<[Segment; 4]> = Lathe::turn(
+    valid!(Profile::new(
+        &[0.0, 0.25, 0.6, 0.85, 1.0],
+        &[
+            0.04, 0.16, 0.2, //
+            0.2, 0.2, 0.12, //
+            0.05, 0.0, 0.01, //
+            0.03, 0.042, 0.06, 0.07,
+        ],
+    ))
+    .base(End::Capped),
+);
+
+/// A chess pawn: a foot, a collar and a head, cylinders, cones and a sphere, each exact.
+pub static PAWN: Lathe<[Segment; 4]> = Lathe::turn(
+    valid!(Profile::new(
+        &[0.0, 0.12, 0.55, 0.62, 0.94],
+        &[
+            0.0484,
+            0.0484,
+            0.0484, // cylinder, r = 0.22
+            0.0484,
+            0.024_933_334,
+            0.0108, // cone, r from 0.22 to 0.08 …
+            0.0064,
+            0.0164,
+            0.0256, // … a collar …
+            0.0256,
+            0.059_733_33,
+            0.059_733_33,
+            0.0,
+        ],
+    ))
+    .base(End::Capped),
+);
+
+/// A ball.
+pub static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(0.2)));
+
+/// Daylight from the upper left.
+pub const DAYLIGHT: Light = valid!(Light::new([-0.5, -0.7, 0.5], 0.15));
+
+/// Unglazed clay.
+pub const CLAY: Rgb = Rgb::new(0.85, 0.45, 0.3);
+
+/// A calm blue, lighter towards the bottom.
+pub const SKY: Background = Background::Gradient {
+    top: Rgb::new(0.10, 0.14, 0.22),
+    bottom: Rgb::new(0.30, 0.36, 0.46),
+};
+
+const PLAIN: Background = Background::Plain(Rgb::new(0.10, 0.14, 0.22));
+
+const fn vase_camera(up: [f32; 3]) -> Camera {
+    match Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], up, 0.3) {
+        Ok(camera) => camera,
+        Err(error) => error.stop(),
+    }
+}
+
+/// The vase, upright.
+pub static VASE_SCENE: Scene = Scene {
+    solids: &[Solid::new(&VASE, CLAY)],
+    camera: vase_camera([0.0, 0.0, 1.0]),
+    light: DAYLIGHT,
+    background: PLAIN,
+};
+
+/// The vase turned 30° about the x axis, the camera rolled 20°.
+pub static TILTED_SCENE: Scene = Scene {
+    solids: &[Solid::new(&VASE, CLAY).posed(valid!(Pose::new(
+        [0.0; 3],
+        Rotation::about_x(PI / 6.0),
+        1.0
+    )))],
+    camera: vase_camera([0.342_020_14, 0.0, 0.939_692_6]),
+    light: DAYLIGHT,
+    background: PLAIN,
+};
+
+/// Into the vase from above: the inside of its wall and of its neck.
+pub static INSIDE_SCENE: Scene = Scene {
+    solids: &[Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30)],
+    camera: valid!(Camera::perspective(
+        [0.0, -1.6, 2.0],
+        [0.0, 0.0, 0.3],
+        [0.0, 0.0, 1.0],
+        0.35
+    )),
+    light: DAYLIGHT,
+    background: SKY,
+};
+
+/// An open bowl with a foot and a lip.
+pub static BOWL: Lathe<[Segment; 2]> = Lathe::turn(
+    valid!(Profile::new(
+        &[0.0, 0.08, 0.5],
+        &[0.05, 0.05, 0.03, 0.03, 0.3, 0.25, 0.36]
+    ))
+    .base(End::Capped),
+);
+
+/// The vase, a ball and a pawn.
+pub static STILL_LIFE: Scene = Scene {
+    solids: &[
+        Solid::new(&VASE, CLAY),
+        Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3))
+            .posed(valid!(Pose::new(
+                [-0.62, -0.25, 0.2],
+                Rotation::IDENTITY,
+                1.0
+            )))
+            .shiny(40),
+        Solid::new(&PAWN, Rgb::new(0.45, 0.6, 0.45))
+            .posed(valid!(Pose::new([0.6, -0.3, 0.0], Rotation::IDENTITY, 0.7)))
+            .shiny(15),
+    ],
+    camera: valid!(Camera::perspective(
+        [0.0, -2.6, 1.2],
+        [0.0, 0.0, 0.4],
+        [0.0, 0.0, 1.0],
+        0.42
+    )),
+    light: DAYLIGHT,
+    background: SKY,
+};

@@ -1,0 +1,137 @@
+//! From pixels to rays.
+
+use crate::ray::Ray;
+use crate::scene_error::SceneError;
+use crate::vector::{F32x3, cross, difference, scale, unit, vector};
+
+/// A camera: perspective or orthographic.
+///
+/// Pixels are square. The picture's half-width is given; its half-height follows from the number of pixels. Column 0 is on the left, row 0
+/// at the top, and rays pass through the pixels' centres.
+///
+/// ```
+/// use embedded_lathe::{Camera, valid};
+///
+/// const FRONT: Camera = valid!(Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 0.3));
+/// let ray = FRONT.ray(120, 120, 240, 240);
+/// assert_eq!(ray.origin().to_array(), [0.0, -2.2, 0.9]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    pub(crate) eye: F32x3,
+    /// The unit vector of the view.
+    pub(crate) forward: F32x3,
+    /// From the picture's centre to the middle of its right edge.
+    pub(crate) right: F32x3,
+    /// As long, upwards.
+    pub(crate) up: F32x3,
+    pub(crate) projection: Projection,
+}
+
+/// How a camera's rays run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) enum Projection {
+    /// From the eye.
+    Perspective,
+    /// Side by side.
+    Orthographic,
+}
+
+impl Camera {
+    /// Rays from `eye`; `half_width` is that of the picture at unit distance, the tangent of half the angle of view.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] if the eye is where it looks at, `up` is zero or along the view, the half-width not between 10⁻⁶ and
+    /// 1 000, or a number not finite.
+    pub const fn perspective(
+        eye: [f32; 3],
+        look_at: [f32; 3],
+        up: [f32; 3],
+        half_width: f32,
+    ) -> Result<Self, SceneError> {
+        if !(half_width >= 1e-6 && half_width <= 1e3) {
+            return Err(SceneError::HalfWidth);
+        }
+        Self::new(eye, look_at, up, half_width, Projection::Perspective)
+    }
+
+    /// Parallel rays; `half_width` is that of the picture, in the world's unit. What is behind the eye's plane is not seen.
+    ///
+    /// # Errors
+    ///
+    /// As [`Camera::perspective`], but the half-width may be from 10⁻¹⁵ to 10¹⁵.
+    pub const fn orthographic(
+        eye: [f32; 3],
+        look_at: [f32; 3],
+        up: [f32; 3],
+        half_width: f32,
+    ) -> Result<Self, SceneError> {
+        Self::new(eye, look_at, up, half_width, Projection::Orthographic)
+    }
+
+    const fn new(
+        eye: [f32; 3],
+        look_at: [f32; 3],
+        up: [f32; 3],
+        half_width: f32,
+        projection: Projection,
+    ) -> Result<Self, SceneError> {
+        if !(half_width >= 1e-15 && half_width <= 1e15) {
+            return Err(SceneError::HalfWidth);
+        }
+        let eye = vector(eye);
+        let Some(forward) = unit(difference(vector(look_at), eye)) else {
+            return Err(SceneError::ViewDirection);
+        };
+        let Some(up) = unit(vector(up)) else {
+            return Err(SceneError::UpDirection);
+        };
+        let right = cross(forward, up);
+        // Two unit vectors: what is left of a parallel pair is rounding.
+        if !(crate::vector::dot(right, right) > 1e-12) {
+            return Err(SceneError::UpDirection);
+        }
+        let Some(right) = unit(right) else {
+            return Err(SceneError::UpDirection);
+        };
+        Ok(Self {
+            eye,
+            forward,
+            right: scale(right, half_width),
+            up: scale(cross(right, forward), half_width),
+            projection,
+        })
+    }
+
+    /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels.
+    pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
+        // Centres, in half-pixels from the picture's centre: whole numbers.
+        let [across, down] = [(x, width), (y, height)]
+            .map(|(i, of)| (2.0 * i as f32 + 1.0 - of as f32) / width as f32);
+        let offset = self.right * across - self.up * down;
+        match self.projection {
+            Projection::Perspective => Ray::new_unchecked(self.eye, self.forward + offset),
+            Projection::Orthographic => Ray::new_unchecked(self.eye + offset, self.forward),
+        }
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Camera {
+    fn format(&self, f: defmt::Formatter) {
+        let (e, d) = (self.eye, self.forward);
+        defmt::write!(
+            f,
+            "Camera {{ eye: ({}, {}, {}), forward: ({}, {}, {}), {} }}",
+            e.x,
+            e.y,
+            e.z,
+            d.x,
+            d.y,
+            d.z,
+            self.projection
+        );
+    }
+}

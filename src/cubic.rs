@@ -1,0 +1,59 @@
+//! A cubic polynomial in power form.
+
+/// `c0 + c1·u + c2·u² + c3·u³`, constant term first.
+///
+/// Any coefficient may be zero, the leading ones too: "cubic" is the most it can be.
+///
+/// ```
+/// use embedded_lathe::Cubic;
+///
+/// let g = Cubic::new([-6.0, 11.0, -6.0, 1.0]); // (u − 1)(u − 2)(u − 3)
+/// assert_eq!(g.at(0.0), -6.0);
+/// assert_eq!(g.first_root(0.0, 10.0), Some(1.0));
+/// assert_eq!(g.roots(1.5, 10.0), [2.0, 3.0]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Cubic {
+    /// `[c0, c1, c2, c3]`.
+    pub c: [f32; 4],
+}
+
+impl Cubic {
+    /// From `[c0, c1, c2, c3]`, constant term first.
+    pub const fn new(c: [f32; 4]) -> Self {
+        Self { c }
+    }
+
+    /// From Bernstein ordinates over [0, 1]: `Σ bⱼ·(3 over j)·(1 − u)³⁻ʲ·uʲ`. Each coefficient is within
+    /// 6 roundings of the largest ordinate.
+    pub const fn from_bernstein(b: [f32; 4]) -> Self {
+        let [b0, b1, b2, b3] = b;
+        let d1 = b1 - b0;
+        let d2 = b2 - b1;
+        Self {
+            c: [b0, 3.0 * d1, 3.0 * (d2 - d1), (b3 - b0) - 3.0 * d2],
+        }
+    }
+
+    /// The value at u, by Horner's rule: 3 multiplications, 3 additions, off by at most 6 units of 2⁻²⁴ of `Σ |cⱼ·uʲ|`.
+    #[inline(always)]
+    pub const fn at(&self, u: f32) -> f32 {
+        let [c0, c1, c2, c3] = self.c;
+        ((c3 * u + c2) * u + c1) * u + c0
+    }
+
+    /// The derivative at u.
+    #[inline(always)]
+    pub const fn slope(&self, u: f32) -> f32 {
+        let [_, c1, c2, c3] = self.c;
+        (3.0 * c3 * u + (c2 + c2)) * u + c1
+    }
+
+    /// `Σ |cⱼ·uʲ|`: what the rounding of the value is measured against.
+    pub const fn size(&self, u: f32) -> f32 {
+        let [c0, c1, c2, c3] = self.c;
+        let u = u.abs();
+        ((c3.abs() * u + c2.abs()) * u + c1.abs()) * u + c0.abs()
+    }
+}

@@ -1,0 +1,102 @@
+//! Onto a display: the one place that names embedded-graphics' drawing traits.
+
+mod dither;
+mod paint;
+
+use crate::color::Paint;
+use crate::rows::Picture;
+use crate::scene::Scene;
+use core::marker::PhantomData;
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{Dimensions, OriginDimensions, Point, Size},
+    image::ImageDrawable,
+    pixelcolor::PixelColor,
+    primitives::Rectangle,
+};
+
+impl Scene<'_> {
+    /// Draws the scene over the whole display, in one [`fill_contiguous`](DrawTarget::fill_contiguous) over pixels that are reckoned as the display
+    /// takes them. No framebuffer is needed.
+    ///
+    /// # Errors
+    ///
+    /// The display's own.
+    pub fn draw<D>(&self, display: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color: Paint>,
+    {
+        let area = display.bounding_box();
+        let Size { width, height } = area.size;
+        match self.picture(width, height).pixels(0, 0, width, height) {
+            Some(pixels) => display.fill_contiguous(&area, pixels),
+            None => Ok(()),
+        }
+    }
+}
+
+impl<'a> Picture<'a> {
+    /// The picture in colours C, for embedded-graphics' `Image`.
+    ///
+    /// ```
+    /// use embedded_graphics::{image::Image, mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
+    /// use embedded_lathe::*;
+    ///
+    /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
+    /// static SCENE: Scene = Scene {
+    ///     solids: &[Solid::new(&BALL, Rgb::WHITE)],
+    ///     camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+    ///     light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+    ///     background: Background::Plain(Rgb::BLACK),
+    /// };
+    ///
+    /// let mut display = MockDisplay::<Gray4>::new();
+    /// let ball = SCENE.picture(32, 32).drawable::<Gray4>();
+    /// Image::new(&ball, Point::new(20, 10)).draw(&mut display)?;
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
+    pub const fn drawable<C: Paint + PixelColor>(self) -> Drawable<'a, C> {
+        Drawable {
+            picture: self,
+            colour: PhantomData,
+        }
+    }
+}
+
+/// A [`Picture`] in a display's colours: an [`ImageDrawable`].
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Drawable<'a, C> {
+    picture: Picture<'a>,
+    colour: PhantomData<C>,
+}
+
+impl<C> OriginDimensions for Drawable<'_, C> {
+    fn size(&self) -> Size {
+        Size::new(self.picture.width, self.picture.height)
+    }
+}
+
+impl<C: Paint + PixelColor> ImageDrawable for Drawable<'_, C> {
+    type Color = C;
+
+    fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
+        self.draw_sub_image(target, &self.bounding_box())
+    }
+
+    fn draw_sub_image<D: DrawTarget<Color = C>>(
+        &self,
+        target: &mut D,
+        area: &Rectangle,
+    ) -> Result<(), D::Error> {
+        let area = self.bounding_box().intersection(area);
+        let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
+        // Inside the picture, so not negative.
+        match self.picture.pixels(x as u32, y as u32, width, height) {
+            Some(pixels) => {
+                target.fill_contiguous(&Rectangle::new(Point::zero(), area.size), pixels)
+            }
+            None => Ok(()),
+        }
+    }
+}

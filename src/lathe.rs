@@ -1,0 +1,219 @@
+//! A profile made ready to meet rays.
+//!
+//! ```text
+//! Ray ── Path ──────── Chord ─────────────── Cubic ──── crossings ── Hit
+//!        the ray in    what of it lies in    g along    where g      polished on
+//!        the lathe's   one segment's slab    the chord  changes      the segment
+//!        own frame     and cylinder                     sign         itself
+//! ```
+//!
+//! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so along a chord g is a
+//! cubic, and because the chord is cut to the segment's own slab and cylinder before the cubic is formed, every number in it has the size of the
+//! segment, whatever the ray's origin or slope.
+//!
+//! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and where it starts is known; so a crossing can be
+//! found a rounding early or late at a join, not lost there.
+
+mod chord;
+mod path;
+mod segment;
+
+pub use segment::Segment;
+
+use crate::hit::Hit;
+use crate::profile::{End, Profile};
+use crate::ray::Ray;
+use crate::solve::{DefaultSolver, Solver};
+use core::ops::ControlFlow;
+use heapless::Vec;
+use path::{Meeting, walk};
+use segment::{power_of_two_for, widened};
+
+/// A turned solid in its own space: the z axis is the axis of rotation.
+///
+/// `Lathe<[Segment; N]>` owns the segments of a [`Profile<N>`](Profile) and can be a `static`, in flash. A scene takes `&Lathe`, of any number of
+/// segments: a reference to the one becomes a reference to the other by itself.
+///
+/// ```
+/// use embedded_lathe::{Lathe, Profile, Ray, Segment, valid};
+///
+/// static VASE: Lathe<[Segment; 2]> = Lathe::turn(valid!(Profile::new(
+///     &[0.0, 0.6, 1.0],
+///     &[0.04, 0.16, 0.2, 0.12, 0.05, 0.02, 0.07],
+/// )));
+///
+/// let ray = Ray::new([0.0, -2.0, 0.5], [0.0, 1.0, 0.0])?;
+/// let hits: heapless::Vec<_, 8> = VASE.hits(&ray, 0.0);
+/// assert_eq!(hits.len(), 2);
+/// assert!(hits[0].enters && !hits[1].enters);
+/// assert_eq!(VASE.nearest(&ray, 0.0), Some(hits[0]));
+/// # Ok::<(), embedded_lathe::RayError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Lathe<S: ?Sized = [Segment]> {
+    frame: Frame,
+    /// As many as the frame says, then spare room.
+    segments: S,
+}
+
+/// What the segments of a lathe have in common.
+///
+/// Its own frame is object space moved so that the origin is half way up, and scaled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct Frame {
+    /// How many segments there are.
+    len: usize,
+    squash: f32,
+    root_squash: f32,
+    /// A power of two: lengths in the frame are lengths in object space times it. It brings the largest squared radius into [1, 4).
+    scale: f32,
+    /// The height in object space of the frame's origin.
+    middle: f32,
+    /// The lowest and the highest height, in the frame.
+    low: f32,
+    high: f32,
+    /// The square of the bounding cylinder's radius, in the frame.
+    reach: f32,
+    base: End,
+    top: End,
+}
+
+/// A lathe whatever its size.
+#[derive(Clone, Copy)]
+struct View<'a> {
+    frame: &'a Frame,
+    segments: &'a [Segment],
+}
+
+impl<const N: usize> Lathe<[Segment; N]> {
+    /// Makes a profile ready. Cost: some 30 operations a segment, once; none at run time in a `const`.
+    pub const fn turn(profile: Profile<N>) -> Self {
+        let len = profile.len;
+        let mut largest = 0.0;
+        let mut i = 0;
+        while i < len {
+            largest = profile.spans[i].largest.max(largest);
+            i += 1;
+        }
+        let scale = power_of_two_for(largest);
+        let middle = 0.5 * profile.spans[0].z + 0.5 * profile.spans[len - 1].top;
+        let mut segments = [Segment::EMPTY; N];
+        let mut i = 0;
+        while i < len {
+            segments[i] = Segment::new(&profile.spans[i], middle, scale);
+            i += 1;
+        }
+        let frame = Frame {
+            len,
+            squash: profile.squash,
+            root_squash: crate::math::constant::sqrt(profile.squash),
+            scale,
+            middle,
+            low: segments[0].low,
+            high: segments[len - 1].high,
+            reach: widened(largest * scale * scale),
+            base: profile.base,
+            top: profile.top,
+        };
+        Self { frame, segments }
+    }
+
+    /// All crossings beyond `t_min`, in order.
+    ///
+    /// A segment is met at most three times and either cap once: the capacity C must be at least 3·N + 2, which is checked at compile time,
+    /// and cannot overflow.
+    pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
+        self.hits_by::<DefaultSolver, C>(ray, t_min)
+    }
+
+    /// [`Lathe::hits`] with the solver S.
+    pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
+        const {
+            assert!(
+                C >= 3 * N + 2,
+                "a ray can meet a lathe of N segments 3·N + 2 times"
+            );
+        }
+        let mut hits = Vec::new();
+        let _ = walk::<S, ()>(self.view(), ray, t_min, |meeting| match meeting {
+            Meeting::Cap(hit) => {
+                let _ = hits.push(hit);
+                ControlFlow::Continue(hit.enters)
+            }
+            Meeting::Chord(chord) => {
+                let mut inside = chord.inside;
+                for hit in chord.hits::<S>() {
+                    inside = hit.enters;
+                    if hit.t > t_min {
+                        let _ = hits.push(hit);
+                    }
+                }
+                ControlFlow::Continue(inside)
+            }
+        });
+        hits
+    }
+}
+
+impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
+    fn view(&self) -> View<'_> {
+        View {
+            frame: &self.frame,
+            segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]),
+        }
+    }
+
+    /// The nearest crossing beyond `t_min`, if any: t > t_min.
+    ///
+    /// A ray from inside, or through an open end, meets the wall from within: the hit leaves. A ray that lies in the plane of a cap meets its rim.
+    pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
+        self.nearest_by::<DefaultSolver>(ray, t_min)
+    }
+
+    /// [`Lathe::nearest`] with the solver S.
+    pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
+        walk::<S, _>(self.view(), ray, t_min, |meeting| match meeting {
+            Meeting::Cap(hit) => ControlFlow::Break(hit),
+            Meeting::Chord(chord) => {
+                let mut inside = chord.inside;
+                for hit in chord.hits::<S>() {
+                    if hit.t > t_min {
+                        return ControlFlow::Break(hit);
+                    }
+                    inside = hit.enters;
+                }
+                ControlFlow::Continue(inside)
+            }
+        })
+    }
+
+    /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends often answer without a root.
+    pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
+        self.is_hit_by::<DefaultSolver>(ray, t_min)
+    }
+
+    /// [`Lathe::is_hit`] with the solver S.
+    pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
+        walk::<S, _>(self.view(), ray, t_min, |meeting| match meeting {
+            Meeting::Cap(_) => ControlFlow::Break(()),
+            Meeting::Chord(chord) if chord.crosses::<S>(t_min) => ControlFlow::Break(()),
+            Meeting::Chord(chord) => ControlFlow::Continue(chord.inside),
+        })
+        .is_some()
+    }
+
+    /// The frame's scale, and the squash.
+    pub(crate) fn proportions(&self) -> (f32, f32) {
+        (self.frame.scale, self.frame.squash)
+    }
+
+    /// How fast the squared radius grows with height at a hit, in the frame.
+    pub(crate) fn slope(&self, hit: &Hit) -> f32 {
+        match self.view().segments.get(hit.segment) {
+            Some(segment) => segment.at(hit.u).1 * segment.per_height,
+            None => 0.0,
+        }
+    }
+}

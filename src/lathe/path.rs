@@ -1,0 +1,240 @@
+use super::chord::Chord;
+use super::{Frame, View};
+use crate::hit::{Hit, Part};
+use crate::math::Math;
+use crate::profile::End;
+use crate::ray::Ray;
+use crate::solve::Solver;
+use core::ops::ControlFlow;
+
+/// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what follows has the size of the solid however far away
+/// the ray comes from. x is scaled by √k: there every lathe is round.
+pub(super) struct Path {
+    pub x: f32,
+    pub y: f32,
+    pub z: f32,
+    pub dx: f32,
+    pub dy: f32,
+    pub dz: f32,
+    /// Where the path's origin lies on the ray, in the path's t.
+    shift: f32,
+    /// A distance along the ray, in units of its own direction, is a path's t (from the ray's origin) times this.
+    per_unit: f32,
+}
+
+impl Path {
+    #[inline(always)]
+    fn new(frame: &Frame, ray: &Ray) -> Self {
+        let (o, d) = (ray.origin, ray.direction);
+        let (x, y, z) = (
+            o.x * frame.scale,
+            o.y * frame.scale,
+            (o.z - frame.middle) * frame.scale,
+        );
+        let shift = -(x * d.x + y * d.y + z * d.z) / (d.x * d.x + d.y * d.y + d.z * d.z);
+        Self {
+            x: (x + shift * d.x) * frame.root_squash,
+            y: y + shift * d.y,
+            z: z + shift * d.z,
+            dx: d.x * frame.root_squash,
+            dy: d.y,
+            dz: d.z,
+            shift,
+            per_unit: 1.0 / (frame.scale * ray.unit),
+        }
+    }
+
+    /// Where the path passes a height.
+    #[inline(always)]
+    fn plane(&self, z: f32, per_dz: f32) -> f32 {
+        (z - self.z) * per_dz
+    }
+
+    /// The distance along the ray, in units of its own direction, at the path's t.
+    #[inline(always)]
+    pub fn distance(&self, t: f32) -> f32 {
+        (t + self.shift) * self.per_unit
+    }
+}
+
+/// What a walk along a ray comes upon.
+pub(super) enum Meeting<'a> {
+    /// The ray passes through a cap.
+    Cap(Hit),
+    /// g may change sign along the chord.
+    Chord(Chord<'a>),
+}
+
+/// Follows a ray through the slabs of a lathe's segments and reports what it comes upon beyond `t_min`, in order, until told to stop. The answer to
+/// a meeting is whether the ray is inside after it.
+///
+/// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one) has an infinite t, or NaN, which `min` and
+/// `max` pass over: neither ray is a special case.
+#[inline(always)]
+pub(super) fn walk<S: Solver, B>(
+    lathe: View<'_>,
+    ray: &Ray,
+    t_min: f32,
+    mut meet: impl FnMut(Meeting) -> ControlFlow<B, bool>,
+) -> Option<B> {
+    let View { frame, segments } = lathe;
+    let path = &Path::new(frame, ray);
+    let first = t_min * (frame.scale * ray.unit) - path.shift;
+
+    let axis = Axis::new::<S>(path);
+    let (near, far) = axis.within::<S>(frame.reach)?;
+    let slab = Slab::new(path, frame);
+    let enter = slab.near.max(near).max(first);
+    let leave = slab.far.min(far);
+    // Not finite: the ray lies along an endless sheet, and g is the same all along it.
+    if !(enter < leave && (leave - enter).is_finite()) {
+        return None;
+    }
+
+    let cap = |t: f32, end: End, low: bool, enters: bool| {
+        let hit = Hit {
+            t: path.distance(t),
+            segment: if low { 0 } else { segments.len() - 1 },
+            u: if low { 0.0 } else { 1.0 },
+            enters,
+            part: if low { Part::Base } else { Part::Top },
+        };
+        (end == End::Capped && hit.t > t_min).then_some(hit)
+    };
+
+    // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here, has g to tell.
+    let mut inside = (enter > first && enter > slab.near).then_some(false);
+    let mut at = enter;
+    for step in 0..segments.len() {
+        let index = if slab.up {
+            step
+        } else {
+            segments.len() - 1 - step
+        };
+        let Some(segment) = segments.get(index) else {
+            break;
+        };
+        let exit = path.plane(
+            if slab.up { segment.high } else { segment.low },
+            slab.per_dz,
+        );
+        if exit <= at {
+            continue;
+        }
+        let end = exit.min(leave);
+        let mut after = false;
+        if let Some((near, far)) = axis.within::<S>(segment.reach) {
+            let (from, to) = (near.max(at), far.min(end));
+            if from < to {
+                let known = if from > at { Some(false) } else { inside };
+                let chord = Chord::new(path, segment, index, from, to, known);
+                after = chord.inside;
+                if known.is_none() && after && enter > first {
+                    let (end, low) = if slab.up {
+                        (frame.base, true)
+                    } else {
+                        (frame.top, false)
+                    };
+                    if let Some(hit) = cap(enter, end, low, true) {
+                        if let ControlFlow::Break(found) = meet(Meeting::Cap(hit)) {
+                            return Some(found);
+                        }
+                    }
+                }
+                if !chord.is_clear() {
+                    match meet(Meeting::Chord(chord)) {
+                        ControlFlow::Break(found) => return Some(found),
+                        ControlFlow::Continue(inside) => after = inside,
+                    }
+                }
+                // Beyond the segment's cylinder there is only outside.
+                after &= !(to < end);
+            }
+        }
+        inside = Some(after);
+        at = end;
+        if !(end < leave) {
+            break;
+        }
+    }
+    if inside == Some(true) && leave == slab.far {
+        let (end, low) = if slab.up {
+            (frame.top, false)
+        } else {
+            (frame.base, true)
+        };
+        if let Some(hit) = cap(leave, end, low, false) {
+            if let ControlFlow::Break(found) = meet(Meeting::Cap(hit)) {
+                return Some(found);
+            }
+        }
+    }
+    None
+}
+
+/// Where a path is nearest to the axis.
+struct Axis {
+    t: f32,
+    /// The square of the distance there.
+    square: f32,
+    per_q: f32,
+}
+
+impl Axis {
+    #[inline(always)]
+    fn new<S: Solver>(path: &Path) -> Self {
+        let q = path.dx * path.dx + path.dy * path.dy;
+        // Parallel to the axis, it is as near everywhere.
+        let (t, per_q) = if q > f32::MIN_POSITIVE {
+            let per_q = 1.0 / q;
+            (-(path.x * path.dx + path.y * path.dy) * per_q, per_q)
+        } else {
+            (0.0, f32::INFINITY)
+        };
+        let (x, y) = (path.x + t * path.dx, path.y + t * path.dy);
+        Self {
+            t,
+            square: x * x + y * y,
+            per_q,
+        }
+    }
+
+    /// From where to where the path is in a cylinder about the axis, of the radius whose square is given.
+    #[inline(always)]
+    fn within<S: Solver>(&self, reach: f32) -> Option<(f32, f32)> {
+        if self.square > reach {
+            return None;
+        }
+        let half = S::Math::sqrt((reach - self.square) * self.per_q);
+        Some((self.t - half, self.t + half))
+    }
+}
+
+/// From where to where a path is between the ends of a lathe.
+struct Slab {
+    near: f32,
+    far: f32,
+    /// Whether the path does not descend.
+    up: bool,
+    per_dz: f32,
+}
+
+impl Slab {
+    #[inline(always)]
+    fn new(path: &Path, frame: &Frame) -> Self {
+        // −0 + 0 = +0: a horizontal path counts as rising.
+        let per_dz = 1.0 / (path.dz + 0.0);
+        let up = per_dz > 0.0;
+        let (low, high) = (
+            path.plane(frame.low, per_dz),
+            path.plane(frame.high, per_dz),
+        );
+        let (near, far) = if up { (low, high) } else { (high, low) };
+        Self {
+            near,
+            far,
+            up,
+            per_dz,
+        }
+    }
+}

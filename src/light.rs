@@ -1,0 +1,80 @@
+//! One directional light.
+
+use crate::color::Rgb;
+use crate::scene_error::SceneError;
+use crate::vector::{F32x3, unit, vector};
+
+/// A light from far away, and a share that reaches everywhere.
+///
+/// The share of a surface's colour that is seen is Lambert's, `ambient + (1 − ambient)·max(0, n·l)`. A shiny surface adds white, half of Phong's
+/// `max(0, r·v)ˢ`: r is the light's direction mirrored at the surface, v the direction to the eye, s the shininess.
+///
+/// ```
+/// use embedded_lathe::{Light, valid};
+/// const LAMP: Light = valid!(Light::new([-0.5, -0.7, 0.5], 0.15));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// The unit vector towards the light.
+    pub(crate) towards: F32x3,
+    pub(crate) ambient: f32,
+}
+
+impl Light {
+    /// A light that shines from `towards`, of any length, and the share of light that is ambient, 0 to 1.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] if the direction is zero or not finite, or the share not in [0, 1].
+    pub const fn new(towards: [f32; 3], ambient: f32) -> Result<Self, SceneError> {
+        if !(ambient >= 0.0 && ambient <= 1.0) {
+            return Err(SceneError::Ambient);
+        }
+        match unit(vector(towards)) {
+            Some(towards) => Ok(Self { towards, ambient }),
+            None => Err(SceneError::LightDirection),
+        }
+    }
+
+    /// What is seen of a colour, given n·l, n·v and l·v for unit vectors.
+    #[inline(always)]
+    pub(crate) fn shade(&self, colour: Rgb, shininess: u8, nl: f32, nv: f32, lv: f32) -> Rgb {
+        let lambert = if nl > 0.0 { nl } else { 0.0 };
+        let share = self.ambient + (1.0 - self.ambient) * lambert;
+        let mirrored = 2.0 * nl * nv - lv;
+        let white = if shininess > 0 && nl > 0.0 && mirrored > 0.0 {
+            0.5 * power(mirrored, shininess)
+        } else {
+            0.0
+        };
+        colour.lit(share, white)
+    }
+}
+
+/// x to a whole power, by squaring.
+fn power(mut x: f32, mut exponent: u8) -> f32 {
+    let mut product = 1.0;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            product *= x;
+        }
+        x *= x;
+        exponent >>= 1;
+    }
+    product
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Light {
+    fn format(&self, f: defmt::Formatter) {
+        let l = self.towards;
+        defmt::write!(
+            f,
+            "Light {{ towards: ({}, {}, {}), ambient: {} }}",
+            l.x,
+            l.y,
+            l.z,
+            self.ambient
+        );
+    }
+}

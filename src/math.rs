@@ -1,0 +1,49 @@
+//! The functions that `core` lacks, from three libraries: the one place that names them.
+//!
+//! Each backend is a zero-sized type, so that all of them can stand in one binary and a test can put one beside another.
+//!
+//! | backend | `sqrt` | `cbrt`, `acos`, `cos` |
+//! |---|---|---|
+//! | [`Native`] | correctly rounded: the hardware's root where there is one | as [`Libm`] |
+//! | [`Libm`] | correctly rounded, integer arithmetic | within a unit in the last place |
+//! | [`Micromath`] | within 2 units, from micromath's seed | rough: 3 %, 0.03 rad, 0.002 |
+//! | [`Std`] (feature `std`) | correctly rounded | the platform's |
+//!
+//! A root rounds the same way wherever it is correctly rounded, so [`Native`], [`Libm`] and [`Std`] give the same bits
+//! wherever only `sqrt` is asked for. That is all the renderer asks for.
+
+pub(crate) mod constant;
+mod libm;
+mod micromath;
+mod native;
+#[cfg(feature = "std")]
+mod std;
+
+pub use self::libm::Libm;
+pub use self::micromath::Micromath;
+pub use self::native::Native;
+#[cfg(feature = "std")]
+pub use self::std::Std;
+
+/// What the solvers ask of a mathematics library.
+///
+/// ```
+/// use embedded_lathe::math::{Libm, Math, Micromath};
+///
+/// fn diagonal<M: Math>(a: f32, b: f32) -> f32 {
+///     M::sqrt(a * a + b * b)
+/// }
+///
+/// assert_eq!(diagonal::<Libm>(3.0, 4.0), 5.0);
+/// assert!((diagonal::<Micromath>(3.0, 4.0) - 5.0).abs() < 1e-6);
+/// ```
+pub trait Math {
+    /// √x for x ≥ 0, within 2 units of 2⁻²⁴ relative; NaN for x < 0.
+    fn sqrt(x: f32) -> f32;
+    /// ∛x for every finite x, within 8 %: a seed, not an answer.
+    fn cbrt(x: f32) -> f32;
+    /// The angle in [0, π] whose cosine is x, for |x| ≤ 1, within 0.03 rad: a seed, not an answer.
+    fn acos(x: f32) -> f32;
+    /// The cosine of an angle in [−π, π] rad, within 0.002: a seed, not an answer.
+    fn cos(x: f32) -> f32;
+}

@@ -1,0 +1,62 @@
+use super::{Libm, Math};
+
+/// The best correctly rounded root of the machine, and [`Libm`] for the rest. The renderer's choice.
+///
+/// | machine | root |
+/// |---|---|
+/// | hard-float Arm without an operating system | `vsqrt.f32` |
+/// | host, feature `std` | the standard library's |
+/// | any other | [`Libm`]'s |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Native;
+
+impl Math for Native {
+    #[inline(always)]
+    fn sqrt(x: f32) -> f32 {
+        sqrt(x)
+    }
+
+    fn cbrt(x: f32) -> f32 {
+        Libm::cbrt(x)
+    }
+
+    fn acos(x: f32) -> f32 {
+        Libm::acos(x)
+    }
+
+    fn cos(x: f32) -> f32 {
+        Libm::cos(x)
+    }
+}
+
+#[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
+#[inline(always)]
+#[allow(unsafe_code)]
+fn sqrt(x: f32) -> f32 {
+    let root: u32;
+    // SAFETY: `eabihf` promises the unit; the three instructions touch a core register and `s0`, nothing else.
+    unsafe {
+        core::arch::asm!(
+            "vmov s0, {x}",
+            "vsqrt.f32 s0, s0",
+            "vmov {x}, s0",
+            x = inlateout(reg) x.to_bits() => root,
+            out("s0") _,
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
+    f32::from_bits(root)
+}
+
+#[cfg(all(feature = "std", not(target_os = "none")))]
+use super::Std as Root;
+#[cfg(not(feature = "std"))]
+#[cfg(not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf")))]
+use Libm as Root;
+
+#[cfg(not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf")))]
+#[inline(always)]
+fn sqrt(x: f32) -> f32 {
+    Root::sqrt(x)
+}

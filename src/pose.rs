@@ -1,0 +1,218 @@
+//! Where a solid stands, how it is turned, and how large it is.
+
+use crate::math::constant::sin_cos;
+use crate::scene_error::SceneError;
+use crate::vector::{F32x3, dot, finite, scale, unit, vector};
+
+/// A position, a rotation and a uniform scale: `world = position + scale·(rotation · object)`.
+///
+/// ```
+/// use embedded_lathe::{Pose, Rotation, valid};
+///
+/// const LEANING: Pose = valid!(Pose::new([0.0, 0.0, 0.5], Rotation::about_x(0.5), 2.0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    pub(crate) position: F32x3,
+    pub(crate) rotation: Rotation,
+    pub(crate) scale: f32,
+}
+
+impl Pose {
+    /// Where the solid's own space is: its axis along z.
+    pub const IDENTITY: Self = Self {
+        position: vector([0.0; 3]),
+        rotation: Rotation::IDENTITY,
+        scale: 1.0,
+    };
+
+    /// A pose.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] if a coordinate or the rotation is not finite, or the scale not between 10⁻³⁰ and 10³⁰.
+    pub const fn new(
+        position: [f32; 3],
+        rotation: Rotation,
+        scale: f32,
+    ) -> Result<Self, SceneError> {
+        let position = vector(position);
+        if !finite(position) {
+            return Err(SceneError::Position);
+        }
+        if !rotation.is_finite() {
+            return Err(SceneError::Rotation);
+        }
+        if !(scale >= 1e-30 && scale <= 1e30) {
+            return Err(SceneError::Scale);
+        }
+        Ok(Self {
+            position,
+            rotation,
+            scale,
+        })
+    }
+
+    /// A point of the world in object space.
+    #[inline(always)]
+    pub(crate) fn point_into(&self, world: F32x3) -> F32x3 {
+        self.rotation.back(world - self.position) * (1.0 / self.scale)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Pose {
+    fn format(&self, f: defmt::Formatter) {
+        let p = self.position;
+        defmt::write!(
+            f,
+            "Pose {{ position: ({}, {}, {}), rotation: {}, scale: {} }}",
+            p.x,
+            p.y,
+            p.z,
+            self.rotation,
+            self.scale
+        );
+    }
+}
+
+/// A rotation about the origin, right-handed, angles in radians.
+///
+/// All its constructors are `const`, and use the same arithmetic wherever they run.
+///
+/// ```
+/// use embedded_lathe::Rotation;
+///
+/// const TILT: Rotation = Rotation::about_x(0.5).then(Rotation::about_z(1.0));
+/// let up = TILT.apply([0.0, 0.0, 1.0]);
+/// assert!((up.z - 0.5f32.cos()).abs() < 1e-6);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotation {
+    /// The matrix by rows.
+    rows: [F32x3; 3],
+}
+
+impl Rotation {
+    /// No rotation.
+    pub const IDENTITY: Self = Self {
+        rows: [
+            vector([1.0, 0.0, 0.0]),
+            vector([0.0, 1.0, 0.0]),
+            vector([0.0, 0.0, 1.0]),
+        ],
+    };
+
+    /// About the x axis: y turns towards z.
+    pub const fn about_x(angle: f32) -> Self {
+        let (s, c) = sin_cos(angle);
+        Self {
+            rows: [
+                vector([1.0, 0.0, 0.0]),
+                vector([0.0, c, -s]),
+                vector([0.0, s, c]),
+            ],
+        }
+    }
+
+    /// About the y axis: z turns towards x.
+    pub const fn about_y(angle: f32) -> Self {
+        let (s, c) = sin_cos(angle);
+        Self {
+            rows: [
+                vector([c, 0.0, s]),
+                vector([0.0, 1.0, 0.0]),
+                vector([-s, 0.0, c]),
+            ],
+        }
+    }
+
+    /// About the z axis: x turns towards y.
+    pub const fn about_z(angle: f32) -> Self {
+        let (s, c) = sin_cos(angle);
+        Self {
+            rows: [
+                vector([c, -s, 0.0]),
+                vector([s, c, 0.0]),
+                vector([0.0, 0.0, 1.0]),
+            ],
+        }
+    }
+
+    /// About any axis, which need not be a unit vector.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::Rotation`] if the axis is zero or a number not finite.
+    pub const fn about(axis: [f32; 3], angle: f32) -> Result<Self, SceneError> {
+        let (s, c) = sin_cos(angle);
+        let v = 1.0 - c;
+        match unit(vector(axis)) {
+            Some(F32x3 { x, y, z }) if angle.is_finite() => Ok(Self {
+                rows: [
+                    vector([c + x * x * v, x * y * v - z * s, x * z * v + y * s]),
+                    vector([y * x * v + z * s, c + y * y * v, y * z * v - x * s]),
+                    vector([z * x * v - y * s, z * y * v + x * s, c + z * z * v]),
+                ],
+            }),
+            _ => Err(SceneError::Rotation),
+        }
+    }
+
+    /// This rotation, then another.
+    pub const fn then(self, next: Self) -> Self {
+        let [a, b, c] = self.rows;
+        let columns = [
+            vector([a.x, b.x, c.x]),
+            vector([a.y, b.y, c.y]),
+            vector([a.z, b.z, c.z]),
+        ];
+        let [p, q, r] = next.rows;
+        Self {
+            rows: [times(p, columns), times(q, columns), times(r, columns)],
+        }
+    }
+
+    /// The vector, turned.
+    pub const fn apply(&self, v: [f32; 3]) -> F32x3 {
+        times(vector(v), self.rows)
+    }
+
+    /// The vector, turned back.
+    #[inline(always)]
+    pub(crate) const fn back(&self, v: F32x3) -> F32x3 {
+        let [a, b, c] = self.rows;
+        let (a, b, c) = (scale(a, v.x), scale(b, v.y), scale(c, v.z));
+        vector([a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z])
+    }
+
+    const fn is_finite(&self) -> bool {
+        let [a, b, c] = self.rows;
+        finite(a) && finite(b) && finite(c)
+    }
+}
+
+/// The products of a vector with each of three.
+const fn times(v: F32x3, [a, b, c]: [F32x3; 3]) -> F32x3 {
+    vector([dot(v, a), dot(v, b), dot(v, c)])
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Rotation {
+    fn format(&self, f: defmt::Formatter) {
+        let [a, b, c] = self.rows;
+        defmt::write!(
+            f,
+            "[[{}, {}, {}], [{}, {}, {}], [{}, {}, {}]]",
+            a.x,
+            a.y,
+            a.z,
+            b.x,
+            b.y,
+            b.z,
+            c.x,
+            c.y,
+            c.z
+        );
+    }
+}

@@ -1,0 +1,121 @@
+//! A ray, checked at the door.
+
+use crate::vector::{F32x3, finite, to_one, vector};
+use core::fmt;
+
+/// The points `origin + t·direction`. The direction need not be a unit vector: t counts in units of the one given.
+///
+/// ```
+/// use embedded_lathe::{Ray, RayError};
+///
+/// let ray = Ray::new([0.0, -2.0, 0.5], [0.0, 2.0, 0.0])?;
+/// assert_eq!(ray.at(0.5).y, -1.0);
+/// assert_eq!(Ray::new([0.0; 3], [0.0; 3]), Err(RayError::NoDirection));
+/// # Ok::<(), RayError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    pub(crate) origin: F32x3,
+    /// The direction given, over `unit`: its largest component lies in [1, 4).
+    pub(crate) direction: F32x3,
+    /// A power of two. A distance t in units of the direction given is t·unit in units of `direction`.
+    pub(crate) unit: f32,
+}
+
+impl Ray {
+    /// A ray from a point in a direction, each `[x, y, z]`.
+    ///
+    /// # Errors
+    ///
+    /// [`RayError`] if a number is not finite, or the direction's largest component is smaller than the least normal number, 1.2·10⁻³⁸.
+    pub const fn new(origin: [f32; 3], direction: [f32; 3]) -> Result<Self, RayError> {
+        let (origin, direction) = (vector(origin), vector(direction));
+        if !(finite(origin) && finite(direction)) {
+            return Err(RayError::NotFinite);
+        }
+        match to_one(direction) {
+            Some((direction, power)) => Ok(Self {
+                origin,
+                direction,
+                unit: 1.0 / power,
+            }),
+            None => Err(RayError::NoDirection),
+        }
+    }
+
+    /// Where the ray begins.
+    pub const fn origin(&self) -> F32x3 {
+        self.origin
+    }
+
+    /// A ray whose direction is known to be finite and of about unit length.
+    pub(crate) const fn new_unchecked(origin: F32x3, direction: F32x3) -> Self {
+        Self {
+            origin,
+            direction,
+            unit: 1.0,
+        }
+    }
+
+    /// The point at t.
+    pub fn at(&self, t: f32) -> F32x3 {
+        self.origin + self.direction * (t * self.unit)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Ray {
+    fn format(&self, f: defmt::Formatter) {
+        let (o, d) = (self.origin, self.direction);
+        defmt::write!(
+            f,
+            "Ray {{ origin: ({}, {}, {}), direction: ({}, {}, {}) * {} }}",
+            o.x,
+            o.y,
+            o.z,
+            d.x,
+            d.y,
+            d.z,
+            self.unit
+        );
+    }
+}
+
+/// What keeps numbers from being a ray.
+///
+/// ```
+/// use embedded_lathe::{Ray, RayError};
+/// assert_eq!(Ray::new([f32::NAN, 0.0, 0.0], [1.0, 0.0, 0.0]), Err(RayError::NotFinite));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum RayError {
+    /// A coordinate or component is infinite or not a number.
+    NotFinite,
+    /// The direction is zero, or as good as zero.
+    NoDirection,
+}
+
+impl fmt::Display for RayError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.text())
+    }
+}
+
+impl core::error::Error for RayError {}
+
+impl RayError {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::NotFinite => "a coordinate of the ray is not finite",
+            Self::NoDirection => "the ray's direction is zero",
+        }
+    }
+
+    /// Stops the compilation with the message. Called by [`valid!`](crate::valid).
+    #[doc(hidden)]
+    #[track_caller]
+    pub const fn stop(self) -> ! {
+        crate::valid::stop(self.text(), None)
+    }
+}

@@ -1,0 +1,198 @@
+use super::{Solver, refine::refine};
+use crate::cubic::Cubic;
+use crate::math::Math;
+use core::marker::PhantomData;
+
+/// A point where the slope of a cubic vanishes: with d = u − at, `g = value + bend·d² + c3·d³`, exactly so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Turning {
+    /// Where, NaN if nowhere.
+    pub at: f32,
+    /// The cubic's value there, +∞ if nowhere.
+    pub value: f32,
+    /// Half the second derivative there: positive at a minimum, negative at a maximum.
+    pub bend: f32,
+}
+
+impl Turning {
+    /// No such point.
+    pub const NONE: Self = Self {
+        at: f32::NAN,
+        value: f32::INFINITY,
+        bend: 0.0,
+    };
+
+    fn new(g: &Cubic, at: f32, bend: f32) -> Self {
+        let value = g.at(at);
+        // A vanishing leading coefficient sends one of the two points to infinity.
+        if value.is_finite() {
+            Self { at, value, bend }
+        } else {
+            Self::NONE
+        }
+    }
+
+    /// The turning points of `g` in ascending order, absent ones last. None or one of a quadratic, none or two of a cubic.
+    ///
+    /// `u = (−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`: each point from that form of the quadratic formula that adds two numbers of one
+    /// sign, so that the point which stays finite as c3 → 0 is found without dividing by it.
+    pub fn of<M: Math>(g: &Cubic) -> [Self; 2] {
+        let [_, c1, c2, c3] = g.c;
+        let s = M::sqrt(difference_of_products(c2, 3.0 * c1, c3));
+        if !(s > 0.0) {
+            return [Self::NONE; 2];
+        }
+        let (near, far) = if c2 >= 0.0 {
+            let sum = c2 + s;
+            (
+                Self::new(g, -c1 / sum, s),
+                Self::new(g, -sum / (3.0 * c3), -s),
+            )
+        } else {
+            let sum = s - c2;
+            (
+                Self::new(g, c1 / sum, -s),
+                Self::new(g, sum / (3.0 * c3), s),
+            )
+        };
+        if far.at < near.at {
+            [far, near]
+        } else {
+            [near, far]
+        }
+    }
+}
+
+/// One monotone part of a cubic: between two neighbouring turning points, or beyond the outermost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Piece {
+    /// Where the piece begins: the turning point on its left, or the interval's end.
+    pub lo: f32,
+    /// Where it ends: the turning point on its right, or the interval's end.
+    pub hi: f32,
+    /// The nearest turning point to the left, which may lie outside the interval.
+    pub left: Turning,
+    /// The nearest turning point to the right, likewise.
+    pub right: Turning,
+    /// Whether the cubic falls from lo to hi.
+    pub falling: bool,
+}
+
+/// The points of an interval at which a cubic changes sign, in ascending order: at most three, one a monotone piece.
+pub(crate) struct Crossings<S> {
+    g: Cubic,
+    lo: f32,
+    hi: f32,
+    turns: [Turning; 2],
+    /// The next piece: left of the first turning point, between the two, right of the second.
+    next: usize,
+    /// The sign that the cubic is known to have now.
+    positive: bool,
+    solver: PhantomData<S>,
+}
+
+impl<S: Solver> Crossings<S> {
+    /// `g` is positive (or negative) as the interval begins, whatever rounding makes of its value there.
+    #[inline(always)]
+    pub fn new(g: Cubic, lo: f32, hi: f32, positive: bool) -> Self {
+        Self {
+            g,
+            lo,
+            hi,
+            turns: Turning::of::<S::Math>(&g),
+            next: 0,
+            positive,
+            solver: PhantomData,
+        }
+    }
+
+    /// The interval begins at a root: the sign is that at the end of the first piece, which has no other root.
+    pub fn leave_root(&mut self) {
+        for k in 0..3 {
+            if let Some((_, value)) = self.piece(k) {
+                self.positive = value > 0.0;
+                self.next = k + 1;
+                return;
+            }
+        }
+    }
+
+    /// The k-th piece and the cubic's value at its end, if any of it lies in the interval.
+    #[inline(always)]
+    fn piece(&self, k: usize) -> Option<(Piece, f32)> {
+        let [first, second] = self.turns;
+        let (left, right) = match k {
+            0 => (Turning::NONE, first),
+            1 if !first.at.is_nan() => (first, second),
+            2 if !second.at.is_nan() => (second, Turning::NONE),
+            _ => return None,
+        };
+        let lo = if left.at > self.lo { left.at } else { self.lo };
+        let (hi, value) = if right.at < self.hi {
+            (right.at, right.value)
+        } else {
+            (self.hi, self.g.at(self.hi))
+        };
+        let piece = Piece {
+            lo,
+            hi,
+            left,
+            right,
+            falling: self.positive,
+        };
+        (lo <= hi).then_some((piece, value))
+    }
+}
+
+impl<S: Solver> Iterator for Crossings<S> {
+    type Item = f32;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<f32> {
+        while self.next < 3 {
+            let k = self.next;
+            self.next += 1;
+            let Some((piece, value)) = self.piece(k) else {
+                continue;
+            };
+            let crosses = if self.positive {
+                value <= 0.0
+            } else {
+                value >= 0.0
+            };
+            if crosses {
+                self.positive = !self.positive;
+                return Some(refine(&self.g, &piece, S::seed(&self.g, &piece)));
+            }
+        }
+        None
+    }
+}
+
+/// `a² − b·c` to within a few units of the result wherever it is not far below the rounding of the exact products.
+///
+/// The plain difference, unless it cancels; then each product is taken exactly, as a sum of two numbers (Dekker 1971).
+fn difference_of_products(a: f32, b: f32, c: f32) -> f32 {
+    let (square, product) = (a * a, b * c);
+    let plain = square - product;
+    if plain.abs() > 0.25 * square {
+        return plain;
+    }
+    plain + (tail(a, a, square) - tail(b, c, product))
+}
+
+/// What rounding took from a·b: `a·b = product + tail`, exactly, if nothing under- or overflows.
+fn tail(a: f32, b: f32, product: f32) -> f32 {
+    let (a1, a0) = halves(a);
+    let (b1, b0) = halves(b);
+    ((a1 * b1 - product) + a1 * b0 + a0 * b1) + a0 * b0
+}
+
+/// A number as a sum of two of 12 bits each (Veltkamp 1968).
+fn halves(a: f32) -> (f32, f32) {
+    let shifted = 4097.0 * a;
+    let high = shifted - (shifted - a);
+    (high, a - high)
+}

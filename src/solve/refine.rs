@@ -1,0 +1,51 @@
+use super::pieces::Piece;
+use crate::cubic::Cubic;
+
+/// Bisection alone would need one step a bit of the result, 24, after as many as the exponents differ.
+/// Newton's needs two or three; the rest is for those who call with an interval like ±10³⁸ and a bad seed.
+const MOST_STEPS: u32 = 160;
+
+/// The root of `g` in a monotone piece, by Newton's method from `seed`, held in the bracket that the signs of `g` draw
+/// ever closer. A step that leaves the bracket is replaced by its middle.
+///
+/// Both ways out are bounds on the value: one that is within its own rounding has no sign to go by, and after a step d from u the value
+/// that remains is exactly `d²·(g″(u)/2 − c3·d)`. That is enough once it is below a rounding too, and the step is short
+/// enough for its own rounding not to count. Beside a turning point the slope is mostly rounding: no step is longer than half the way to it.
+#[inline(always)]
+pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
+    const UNIT: f32 = 1.0 / 16_777_216.0;
+    let [_, _, c2, c3] = g.c;
+    let (mut lo, mut hi) = (piece.lo, piece.hi);
+    let mut u = seed;
+    for _ in 0..MOST_STEPS {
+        if !(lo < u && u < hi) {
+            u = 0.5 * lo + 0.5 * hi;
+            if !(lo < u && u < hi) {
+                break;
+            }
+        }
+        let value = g.at(u);
+        let rounding = UNIT * g.size(u);
+        if value.abs() <= 2.0 * rounding {
+            break;
+        }
+        if (value > 0.0) == piece.falling {
+            lo = u;
+        } else {
+            hi = u;
+        }
+        let step = value / g.slope(u);
+        // `min` passes over the NaN of a turning point that is not there.
+        let reach = 0.5 * (u - piece.left.at).min(piece.right.at - u);
+        if step.abs() > reach {
+            u -= if step > 0.0 { reach } else { -reach };
+            continue;
+        }
+        let left = step * step * (c2 + 3.0 * c3 * u - c3 * step);
+        u -= step;
+        if left.abs() <= rounding && step.abs() <= 0.5 * u.abs() {
+            break;
+        }
+    }
+    u.clamp(piece.lo, piece.hi)
+}

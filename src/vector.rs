@@ -1,0 +1,59 @@
+//! Three components in object or world space: micromath's [`F32x3`], and the little of it that a `const` needs.
+
+pub use micromath::vector::{F32x3, Vector};
+
+use crate::math::constant;
+
+/// The vector of three components.
+pub(crate) const fn vector([x, y, z]: [f32; 3]) -> F32x3 {
+    F32x3 { x, y, z }
+}
+
+pub(crate) const fn finite(v: F32x3) -> bool {
+    v.x.is_finite() && v.y.is_finite() && v.z.is_finite()
+}
+
+pub(crate) const fn dot(a: F32x3, b: F32x3) -> f32 {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+pub(crate) const fn scale(v: F32x3, by: f32) -> F32x3 {
+    vector([v.x * by, v.y * by, v.z * by])
+}
+
+pub(crate) const fn difference(a: F32x3, b: F32x3) -> F32x3 {
+    vector([a.x - b.x, a.y - b.y, a.z - b.z])
+}
+
+pub(crate) const fn cross(a: F32x3, b: F32x3) -> F32x3 {
+    vector([
+        a.y * b.z - a.z * b.y,
+        a.z * b.x - a.x * b.z,
+        a.x * b.y - a.y * b.x,
+    ])
+}
+
+/// The largest magnitude among the components.
+pub(crate) const fn largest(v: F32x3) -> f32 {
+    v.x.abs().max(v.y.abs()).max(v.z.abs())
+}
+
+/// The vector times the power of two that brings its largest component into [1, 4), and that power. `None` if it is zero or not finite, or too small to be brought there by one power.
+pub(crate) const fn to_one(v: F32x3) -> Option<(F32x3, f32)> {
+    const SMALLEST: f32 = f32::MIN_POSITIVE;
+    let size = largest(v);
+    if !(finite(v) && size >= SMALLEST) {
+        return None;
+    }
+    let exponent = size.to_bits() >> 23;
+    let power = f32::from_bits(if exponent < 254 { 254 - exponent } else { 1 } << 23);
+    Some((scale(v, power), power))
+}
+
+/// The unit vector along `v`, whatever its length. `None` if it is zero or not finite.
+pub(crate) const fn unit(v: F32x3) -> Option<F32x3> {
+    match to_one(v) {
+        Some((v, _)) => Some(scale(v, 1.0 / constant::sqrt(dot(v, v)))),
+        None => None,
+    }
+}

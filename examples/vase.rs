@@ -17,9 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     scene.draw(&mut display)?;
 
     let path = std::env::current_dir()?.join("vase.png");
-    display
-        .to_rgb_output_image(&OutputSettings::default())
-        .save_png(&path)?;
+    display.to_rgb_output_image(&OutputSettings::default()).save_png(&path)?;
     preview(&display);
     println!("wrote {}", path.display());
     Ok(())

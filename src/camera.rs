@@ -108,8 +108,8 @@ impl Camera {
     /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels.
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
         // Centres, in half-pixels from the picture's centre: whole numbers.
-        let [across, down] = [(x, width), (y, height)]
-            .map(|(i, of)| (2.0 * i as f32 + 1.0 - of as f32) / width as f32);
+        let [across, down] =
+            [(x, width), (y, height)].map(|(i, of)| (2.0 * i as f32 + 1.0 - of as f32) / width as f32);
         let offset = self.right * across - self.up * down;
         match self.projection {
             Projection::Perspective => Ray::new_unchecked(self.eye, self.forward + offset),

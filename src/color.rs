@@ -43,11 +43,7 @@ impl Rgb {
     /// Dimmed to a share of itself, with white light added.
     #[inline(always)]
     pub(crate) const fn lit(self, share: f32, white: f32) -> Self {
-        Self {
-            r: self.r * share + white,
-            g: self.g * share + white,
-            b: self.b * share + white,
-        }
+        Self { r: self.r * share + white, g: self.g * share + white, b: self.b * share + white }
     }
 
     /// From this colour, at 0, to another, at 1.

@@ -31,9 +31,7 @@ impl Cubic {
         let [b0, b1, b2, b3] = b;
         let d1 = b1 - b0;
         let d2 = b2 - b1;
-        Self {
-            c: [b0, 3.0 * d1, 3.0 * (d2 - d1), (b3 - b0) - 3.0 * d2],
-        }
+        Self { c: [b0, 3.0 * d1, 3.0 * (d2 - d1), (b3 - b0) - 3.0 * d2] }
     }
 
     /// The value at u, by Horner's rule: 3 multiplications, 3 additions, off by at most 6 units of 2⁻²⁴ of `Σ |cⱼ·uʲ|`.

@@ -56,10 +56,7 @@ impl<'a> Picture<'a> {
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
     pub const fn drawable<C: Paint + PixelColor>(self) -> Drawable<'a, C> {
-        Drawable {
-            picture: self,
-            colour: PhantomData,
-        }
+        Drawable { picture: self, colour: PhantomData }
     }
 }
 
@@ -93,9 +90,7 @@ impl<C: Paint + PixelColor> ImageDrawable for Drawable<'_, C> {
         let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
         // Inside the picture, so not negative.
         match self.picture.pixels(x as u32, y as u32, width, height) {
-            Some(pixels) => {
-                target.fill_contiguous(&Rectangle::new(Point::zero(), area.size), pixels)
-            }
+            Some(pixels) => target.fill_contiguous(&Rectangle::new(Point::zero(), area.size), pixels),
             None => Ok(()),
         }
     }

@@ -131,10 +131,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
     /// [`Lathe::hits`] with the solver S.
     pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         const {
-            assert!(
-                C >= 3 * N + 2,
-                "a ray can meet a lathe of N segments 3·N + 2 times"
-            );
+            assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
         }
         let mut hits = Vec::new();
         let _ = walk::<S, ()>(self.view(), ray, t_min, |meeting| match meeting {
@@ -159,10 +156,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     fn view(&self) -> View<'_> {
-        View {
-            frame: &self.frame,
-            segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]),
-        }
+        View { frame: &self.frame, segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]) }
     }
 
     /// The nearest crossing beyond `t_min`, if any: t > t_min.

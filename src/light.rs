@@ -42,11 +42,8 @@ impl Light {
         let lambert = if nl > 0.0 { nl } else { 0.0 };
         let share = self.ambient + (1.0 - self.ambient) * lambert;
         let mirrored = 2.0 * nl * nv - lv;
-        let white = if shininess > 0 && nl > 0.0 && mirrored > 0.0 {
-            0.5 * power(mirrored, shininess)
-        } else {
-            0.0
-        };
+        let white =
+            if shininess > 0 && nl > 0.0 && mirrored > 0.0 { 0.5 * power(mirrored, shininess) } else { 0.0 };
         colour.lit(share, white)
     }
 }
@@ -68,13 +65,6 @@ fn power(mut x: f32, mut exponent: u8) -> f32 {
 impl defmt::Format for Light {
     fn format(&self, f: defmt::Formatter) {
         let l = self.towards;
-        defmt::write!(
-            f,
-            "Light {{ towards: ({}, {}, {}), ambient: {} }}",
-            l.x,
-            l.y,
-            l.z,
-            self.ambient
-        );
+        defmt::write!(f, "Light {{ towards: ({}, {}, {}), ambient: {} }}", l.x, l.y, l.z, self.ambient);
     }
 }

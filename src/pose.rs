@@ -20,22 +20,14 @@ pub struct Pose {
 
 impl Pose {
     /// Where the solid's own space is: its axis along z.
-    pub const IDENTITY: Self = Self {
-        position: vector([0.0; 3]),
-        rotation: Rotation::IDENTITY,
-        scale: 1.0,
-    };
+    pub const IDENTITY: Self = Self { position: vector([0.0; 3]), rotation: Rotation::IDENTITY, scale: 1.0 };
 
     /// A pose.
     ///
     /// # Errors
     ///
     /// [`SceneError`] if a coordinate or the rotation is not finite, or the scale not between 10⁻³⁰ and 10³⁰.
-    pub const fn new(
-        position: [f32; 3],
-        rotation: Rotation,
-        scale: f32,
-    ) -> Result<Self, SceneError> {
+    pub const fn new(position: [f32; 3], rotation: Rotation, scale: f32) -> Result<Self, SceneError> {
         let position = vector(position);
         if !finite(position) {
             return Err(SceneError::Position);
@@ -46,11 +38,7 @@ impl Pose {
         if !(scale >= 1e-30 && scale <= 1e30) {
             return Err(SceneError::Scale);
         }
-        Ok(Self {
-            position,
-            rotation,
-            scale,
-        })
+        Ok(Self { position, rotation, scale })
     }
 
     /// A point of the world in object space.
@@ -95,48 +83,25 @@ pub struct Rotation {
 
 impl Rotation {
     /// No rotation.
-    pub const IDENTITY: Self = Self {
-        rows: [
-            vector([1.0, 0.0, 0.0]),
-            vector([0.0, 1.0, 0.0]),
-            vector([0.0, 0.0, 1.0]),
-        ],
-    };
+    pub const IDENTITY: Self =
+        Self { rows: [vector([1.0, 0.0, 0.0]), vector([0.0, 1.0, 0.0]), vector([0.0, 0.0, 1.0])] };
 
     /// About the x axis: y turns towards z.
     pub const fn about_x(angle: f32) -> Self {
         let (s, c) = sin_cos(angle);
-        Self {
-            rows: [
-                vector([1.0, 0.0, 0.0]),
-                vector([0.0, c, -s]),
-                vector([0.0, s, c]),
-            ],
-        }
+        Self { rows: [vector([1.0, 0.0, 0.0]), vector([0.0, c, -s]), vector([0.0, s, c])] }
     }
 
     /// About the y axis: z turns towards x.
     pub const fn about_y(angle: f32) -> Self {
         let (s, c) = sin_cos(angle);
-        Self {
-            rows: [
-                vector([c, 0.0, s]),
-                vector([0.0, 1.0, 0.0]),
-                vector([-s, 0.0, c]),
-            ],
-        }
+        Self { rows: [vector([c, 0.0, s]), vector([0.0, 1.0, 0.0]), vector([-s, 0.0, c])] }
     }
 
     /// About the z axis: x turns towards y.
     pub const fn about_z(angle: f32) -> Self {
         let (s, c) = sin_cos(angle);
-        Self {
-            rows: [
-                vector([c, -s, 0.0]),
-                vector([s, c, 0.0]),
-                vector([0.0, 0.0, 1.0]),
-            ],
-        }
+        Self { rows: [vector([c, -s, 0.0]), vector([s, c, 0.0]), vector([0.0, 0.0, 1.0])] }
     }
 
     /// About any axis, which need not be a unit vector.
@@ -162,15 +127,9 @@ impl Rotation {
     /// This rotation, then another.
     pub const fn then(self, next: Self) -> Self {
         let [a, b, c] = self.rows;
-        let columns = [
-            vector([a.x, b.x, c.x]),
-            vector([a.y, b.y, c.y]),
-            vector([a.z, b.z, c.z]),
-        ];
+        let columns = [vector([a.x, b.x, c.x]), vector([a.y, b.y, c.y]), vector([a.z, b.z, c.z])];
         let [p, q, r] = next.rows;
-        Self {
-            rows: [times(p, columns), times(q, columns), times(r, columns)],
-        }
+        Self { rows: [times(p, columns), times(q, columns), times(r, columns)] }
     }
 
     /// The vector, turned.

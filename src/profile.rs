@@ -93,10 +93,7 @@ impl<const N: usize> Profile<N> {
             return Err(ProfileError::TooManySegments { segments: len });
         }
         if ordinates.len() != 3 * len + 1 {
-            return Err(ProfileError::OrdinateCount {
-                expected: 3 * len + 1,
-                found: ordinates.len(),
-            });
+            return Err(ProfileError::OrdinateCount { expected: 3 * len + 1, found: ordinates.len() });
         }
         let mut point = 0;
         while point < ordinates.len() {
@@ -120,35 +117,19 @@ impl<const N: usize> Profile<N> {
                 return Err(ProfileError::KnotsNotIncreasing { knot: i + 1 });
             }
             let j = 3 * i;
-            let b = [
-                ordinates[j],
-                ordinates[j + 1],
-                ordinates[j + 2],
-                ordinates[j + 3],
-            ];
+            let b = [ordinates[j], ordinates[j + 1], ordinates[j + 2], ordinates[j + 3]];
             let extremes = Extremes::of(b);
             if !(extremes.least >= 0.0) {
                 return Err(ProfileError::Negative { segment: i });
             }
             largest = extremes.largest.max(largest);
-            spans[i] = Span {
-                z,
-                top,
-                b,
-                largest: extremes.largest,
-            };
+            spans[i] = Span { z, top, b, largest: extremes.largest };
             i += 1;
         }
         if !(largest >= 1e-30 && largest <= 1e30) {
             return Err(ProfileError::Size);
         }
-        Ok(Self {
-            spans,
-            len,
-            squash: 1.0,
-            base: End::Open,
-            top: End::Open,
-        })
+        Ok(Self { spans, len, squash: 1.0, base: End::Open, top: End::Open })
     }
 
     /// Stretched along x: `k·x² + y²` instead of `x² + y²`. One is round, between is elliptic (the half-axis along x is r/√k), zero a sheet without end
@@ -186,10 +167,5 @@ impl<const N: usize> Profile<N> {
 }
 
 impl Span {
-    pub const EMPTY: Self = Self {
-        z: 0.0,
-        top: 0.0,
-        b: [0.0; 4],
-        largest: 0.0,
-    };
+    pub const EMPTY: Self = Self { z: 0.0, top: 0.0, b: [0.0; 4], largest: 0.0 };
 }

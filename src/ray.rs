@@ -34,11 +34,7 @@ impl Ray {
             return Err(RayError::NotFinite);
         }
         match to_one(direction) {
-            Some((direction, power)) => Ok(Self {
-                origin,
-                direction,
-                unit: 1.0 / power,
-            }),
+            Some((direction, power)) => Ok(Self { origin, direction, unit: 1.0 / power }),
             None => Err(RayError::NoDirection),
         }
     }
@@ -50,11 +46,7 @@ impl Ray {
 
     /// A ray whose direction is known to be finite and of about unit length.
     pub(crate) const fn new_unchecked(origin: F32x3, direction: F32x3) -> Self {
-        Self {
-            origin,
-            direction,
-            unit: 1.0,
-        }
+        Self { origin, direction, unit: 1.0 }
     }
 
     /// The point at t.

@@ -70,12 +70,7 @@ impl Picture<'_> {
 
     /// At most RUN pixels: the background, then every solid where it is nearer than what is there.
     fn run<C: Paint>(&self, x: u32, y: u32, run: &mut [C]) {
-        let Scene {
-            solids,
-            light,
-            background,
-            ..
-        } = &self.scene;
+        let Scene { solids, light, background, .. } = &self.scene;
         let behind = background.row(y, self.height);
         for (pixel, x) in run.iter_mut().zip(x..) {
             *pixel = C::paint(behind, x, y);
@@ -103,22 +98,11 @@ impl Picture<'_> {
             Projection::Perspective => (none, step),
             Projection::Orthographic => (step, none),
         };
-        Rays {
-            origin: first.origin,
-            origin_step,
-            direction: first.direction,
-            direction_step,
-        }
+        Rays { origin: first.origin, origin_step, direction: first.direction, direction_step }
     }
 
     /// The pixels of a rectangle, row by row from its upper left corner, reckoned as they are asked for.
-    pub(crate) fn pixels<C: Paint>(
-        &self,
-        x: u32,
-        y: u32,
-        width: u32,
-        height: u32,
-    ) -> Option<Pixels<'_, C>> {
+    pub(crate) fn pixels<C: Paint>(&self, x: u32, y: u32, width: u32, height: u32) -> Option<Pixels<'_, C>> {
         let blank = C::paint(Rgb::BLACK, 0, 0);
         Some(Pixels {
             picture: self,
@@ -161,8 +145,7 @@ impl<C: Paint> Iterator for Pixels<'_, C> {
             self.run_at = Some(run_at);
             let len = (self.width.get() - (column - within)).min(RUN as u32);
             if let Some(run) = self.run.get_mut(..len as usize) {
-                self.picture
-                    .run(self.left + column - within, self.top + row, run);
+                self.picture.run(self.left + column - within, self.top + row, run);
             }
         }
         self.next += 1;

@@ -42,10 +42,6 @@ pub struct Scene<'a> {
 impl<'a> Scene<'a> {
     /// The scene as a picture of so many pixels, none of them reckoned yet.
     pub const fn picture(&self, width: u32, height: u32) -> Picture<'a> {
-        Picture {
-            scene: *self,
-            width,
-            height,
-        }
+        Picture { scene: *self, width, height }
     }
 }

@@ -30,12 +30,7 @@ pub struct Solid<'a> {
 impl<'a> Solid<'a> {
     /// A matt solid in its own space.
     pub const fn new(lathe: &'a Lathe, colour: Rgb) -> Self {
-        Self {
-            lathe,
-            pose: Pose::IDENTITY,
-            colour,
-            shininess: 0,
-        }
+        Self { lathe, pose: Pose::IDENTITY, colour, shininess: 0 }
     }
 
     /// The same in another pose.
@@ -45,10 +40,7 @@ impl<'a> Solid<'a> {
 
     /// The same with a highlight: the exponent of Phong's model, wide at 5, narrow at 100. Zero is matt.
     pub const fn shiny(self, exponent: u8) -> Self {
-        Self {
-            shininess: exponent,
-            ..self
-        }
+        Self { shininess: exponent, ..self }
     }
 
     /// The nearest crossing of a ray of the world beyond `t_min`, as [`Lathe::nearest`].
@@ -64,10 +56,7 @@ impl<'a> Solid<'a> {
     /// The point and the normal of a hit, in the world, as [`Lathe::surface`].
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let seen = self.lathe.surface(&self.ray_into(ray), hit);
-        Surface {
-            point: ray.at(hit.t),
-            normal: self.pose.rotation.apply(seen.normal.to_array()),
-        }
+        Surface { point: ray.at(hit.t), normal: self.pose.rotation.apply(seen.normal.to_array()) }
     }
 
     /// A ray of the world in object space, with the same t.
@@ -91,10 +80,7 @@ impl<'a> Solid<'a> {
                 direction_step: back(rays.direction_step),
             },
             unit: 1.0 / pose.scale,
-            light: Light {
-                towards: back(light.towards),
-                ..*light
-            },
+            light: Light { towards: back(light.towards), ..*light },
         }
     }
 }
@@ -102,12 +88,7 @@ impl<'a> Solid<'a> {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Solid<'_> {
     fn format(&self, f: defmt::Formatter) {
-        defmt::write!(
-            f,
-            "Solid {{ pose: {}, colour: {} }}",
-            self.pose,
-            self.colour
-        );
+        defmt::write!(f, "Solid {{ pose: {}, colour: {} }}", self.pose, self.colour);
     }
 }
 
@@ -146,12 +127,7 @@ impl Seen<'_> {
     /// The wall seen from within turns its other side.
     #[inline(always)]
     fn colour(&self, ray: &Ray, hit: &Hit) -> Rgb {
-        let Solid {
-            lathe,
-            colour,
-            shininess,
-            ..
-        } = self.solid;
+        let Solid { lathe, colour, shininess, .. } = self.solid;
         let normal = unit(lathe.gradient(ray.at(hit.t), hit)).unwrap_or(lathe.pole(hit));
         let side = if hit.enters { 1.0 } else { -1.0 };
         let nl = side * normal.dot(self.light.towards);

@@ -130,11 +130,7 @@ impl Cubic {
 
 /// Two powers of two whose product brings `largest` into [1, 4): one to lift subnormal numbers, one to do the rest.
 fn to_one(largest: f32) -> [f32; 2] {
-    let lift = if largest < f32::MIN_POSITIVE {
-        16_777_216.0
-    } else {
-        1.0
-    };
+    let lift = if largest < f32::MIN_POSITIVE { 16_777_216.0 } else { 1.0 };
     let exponent = (largest * lift).to_bits() >> 23;
     // 2^(127 − e) has the biased exponent 254 − e, which must stay above 0.
     let down = if exponent < 254 { 254 - exponent } else { 1 };

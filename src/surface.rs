@@ -59,11 +59,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         match hit.part {
             Part::Base => vector([0.0, 0.0, -1.0]),
             Part::Top => vector([0.0, 0.0, 1.0]),
-            Part::Wall => vector([
-                squash * scale * point.x,
-                scale * point.y,
-                -0.5 * self.slope(hit),
-            ]),
+            Part::Wall => vector([squash * scale * point.x, scale * point.y, -0.5 * self.slope(hit)]),
         }
     }
 
@@ -81,11 +77,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 pub(crate) fn unit(v: F32x3) -> Option<F32x3> {
     const FAR: f32 = 1e12;
     let size = largest(v);
-    let v = if size > 1.0 / FAR && size < FAR {
-        v
-    } else {
-        v * (1.0 / size)
-    };
+    let v = if size > 1.0 / FAR && size < FAR { v } else { v * (1.0 / size) };
     let square = v.dot(v);
     (square > 0.0).then(|| v * (1.0 / Native::sqrt(square)))
 }

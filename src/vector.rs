@@ -26,11 +26,7 @@ pub(crate) const fn difference(a: F32x3, b: F32x3) -> F32x3 {
 }
 
 pub(crate) const fn cross(a: F32x3, b: F32x3) -> F32x3 {
-    vector([
-        a.y * b.z - a.z * b.y,
-        a.z * b.x - a.x * b.z,
-        a.x * b.y - a.y * b.x,
-    ])
+    vector([a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x])
 }
 
 /// The largest magnitude among the components.

@@ -2,8 +2,7 @@
 
 use core::f32::consts::PI;
 use embedded_lathe::{
-    Background, Camera, End, Lathe, Light, Pose, Profile, Rgb, Rotation, Scene, Segment, Solid,
-    valid,
+    Background, Camera, End, Lathe, Light, Pose, Profile, Rgb, Rotation, Scene, Segment, Solid, valid,
 };
 
 /// A vase, open at the top.
@@ -53,10 +52,8 @@ pub const DAYLIGHT: Light = valid!(Light::new([-0.5, -0.7, 0.5], 0.15));
 pub const CLAY: Rgb = Rgb::new(0.85, 0.45, 0.3);
 
 /// A calm blue, lighter towards the bottom.
-pub const SKY: Background = Background::Gradient {
-    top: Rgb::new(0.10, 0.14, 0.22),
-    bottom: Rgb::new(0.30, 0.36, 0.46),
-};
+pub const SKY: Background =
+    Background::Gradient { top: Rgb::new(0.10, 0.14, 0.22), bottom: Rgb::new(0.30, 0.36, 0.46) };
 
 const PLAIN: Background = Background::Plain(Rgb::new(0.10, 0.14, 0.22));
 
@@ -77,11 +74,7 @@ pub static VASE_SCENE: Scene = Scene {
 
 /// The vase turned 30° about the x axis, the camera rolled 20°.
 pub static TILTED_SCENE: Scene = Scene {
-    solids: &[Solid::new(&VASE, CLAY).posed(valid!(Pose::new(
-        [0.0; 3],
-        Rotation::about_x(PI / 6.0),
-        1.0
-    )))],
+    solids: &[Solid::new(&VASE, CLAY).posed(valid!(Pose::new([0.0; 3], Rotation::about_x(PI / 6.0), 1.0)))],
     camera: vase_camera([0.342_020_14, 0.0, 0.939_692_6]),
     light: DAYLIGHT,
     background: PLAIN,
@@ -90,23 +83,14 @@ pub static TILTED_SCENE: Scene = Scene {
 /// Into the vase from above: the inside of its wall and of its neck.
 pub static INSIDE_SCENE: Scene = Scene {
     solids: &[Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30)],
-    camera: valid!(Camera::perspective(
-        [0.0, -1.6, 2.0],
-        [0.0, 0.0, 0.3],
-        [0.0, 0.0, 1.0],
-        0.35
-    )),
+    camera: valid!(Camera::perspective([0.0, -1.6, 2.0], [0.0, 0.0, 0.3], [0.0, 0.0, 1.0], 0.35)),
     light: DAYLIGHT,
     background: SKY,
 };
 
 /// An open bowl with a foot and a lip.
 pub static BOWL: Lathe<[Segment; 2]> = Lathe::turn(
-    valid!(Profile::new(
-        &[0.0, 0.08, 0.5],
-        &[0.05, 0.05, 0.03, 0.03, 0.3, 0.25, 0.36]
-    ))
-    .base(End::Capped),
+    valid!(Profile::new(&[0.0, 0.08, 0.5], &[0.05, 0.05, 0.03, 0.03, 0.3, 0.25, 0.36])).base(End::Capped),
 );
 
 /// The vase, a ball and a pawn.
@@ -114,22 +98,13 @@ pub static STILL_LIFE: Scene = Scene {
     solids: &[
         Solid::new(&VASE, CLAY),
         Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3))
-            .posed(valid!(Pose::new(
-                [-0.62, -0.25, 0.2],
-                Rotation::IDENTITY,
-                1.0
-            )))
+            .posed(valid!(Pose::new([-0.62, -0.25, 0.2], Rotation::IDENTITY, 1.0)))
             .shiny(40),
         Solid::new(&PAWN, Rgb::new(0.45, 0.6, 0.45))
             .posed(valid!(Pose::new([0.6, -0.3, 0.0], Rotation::IDENTITY, 0.7)))
             .shiny(15),
     ],
-    camera: valid!(Camera::perspective(
-        [0.0, -2.6, 1.2],
-        [0.0, 0.0, 0.4],
-        [0.0, 0.0, 1.0],
-        0.42
-    )),
+    camera: valid!(Camera::perspective([0.0, -2.6, 1.2], [0.0, 0.0, 0.4], [0.0, 0.0, 1.0], 0.42)),
     light: DAYLIGHT,
     background: SKY,
 };

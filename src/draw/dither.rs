@@ -3,12 +3,7 @@
 /// Over any 8×8 pixels each of the 64 thresholds comes up once, and any share of them is spread as evenly as it can be.
 pub(super) const fn threshold(x: u32, y: u32) -> u32 {
     let mixed = x ^ y;
-    (mixed & 1) << 5
-        | (y & 1) << 4
-        | (mixed & 2) << 2
-        | (y & 2) << 1
-        | (mixed & 4) >> 1
-        | (y & 4) >> 2
+    (mixed & 1) << 5 | (y & 1) << 4 | (mixed & 2) << 2 | (y & 2) << 1 | (mixed & 4) >> 1 | (y & 4) >> 2
 }
 
 /// The shade, of those from 0 to `most`, for a share of light, such that its mean over 8×8 pixels is the share, within 1/128 of a shade.

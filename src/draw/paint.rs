@@ -3,8 +3,8 @@
 use super::dither::{dithered, nearest};
 use crate::color::{Paint, Rgb};
 use embedded_graphics_core::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666,
-    Rgb888, RgbColor,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
+    RgbColor,
 };
 
 macro_rules! channels {
@@ -22,9 +22,7 @@ macro_rules! channels {
     )*};
 }
 
-channels!(
-    Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888
-);
+channels!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
 
 /// How bright a colour is: the weights of ITU-R BT.601.
 #[inline(always)]

@@ -115,10 +115,6 @@ impl Segment {
     #[inline(always)]
     fn parameter(&self, z: f32) -> f32 {
         let u = (z - self.low) * self.per_height;
-        if u > 0.0 {
-            if u < 1.0 { u } else { 1.0 }
-        } else {
-            0.0
-        }
+        if u > 0.0 { if u < 1.0 { u } else { 1.0 } } else { 0.0 }
     }
 }

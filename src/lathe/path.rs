@@ -26,11 +26,7 @@ impl Path {
     #[inline(always)]
     fn new(frame: &Frame, ray: &Ray) -> Self {
         let (o, d) = (ray.origin, ray.direction);
-        let (x, y, z) = (
-            o.x * frame.scale,
-            o.y * frame.scale,
-            (o.z - frame.middle) * frame.scale,
-        );
+        let (x, y, z) = (o.x * frame.scale, o.y * frame.scale, (o.z - frame.middle) * frame.scale);
         let shift = -(x * d.x + y * d.y + z * d.z) / (d.x * d.x + d.y * d.y + d.z * d.z);
         Self {
             x: (x + shift * d.x) * frame.root_squash,
@@ -106,18 +102,11 @@ pub(super) fn walk<S: Solver, B>(
     let mut inside = (enter > first && enter > slab.near).then_some(false);
     let mut at = enter;
     for step in 0..segments.len() {
-        let index = if slab.up {
-            step
-        } else {
-            segments.len() - 1 - step
-        };
+        let index = if slab.up { step } else { segments.len() - 1 - step };
         let Some(segment) = segments.get(index) else {
             break;
         };
-        let exit = path.plane(
-            if slab.up { segment.high } else { segment.low },
-            slab.per_dz,
-        );
+        let exit = path.plane(if slab.up { segment.high } else { segment.low }, slab.per_dz);
         if exit <= at {
             continue;
         }
@@ -130,11 +119,7 @@ pub(super) fn walk<S: Solver, B>(
                 let chord = Chord::new(path, segment, index, from, to, known);
                 after = chord.inside;
                 if known.is_none() && after && enter > first {
-                    let (end, low) = if slab.up {
-                        (frame.base, true)
-                    } else {
-                        (frame.top, false)
-                    };
+                    let (end, low) = if slab.up { (frame.base, true) } else { (frame.top, false) };
                     if let Some(hit) = cap(enter, end, low, true) {
                         if let ControlFlow::Break(found) = meet(Meeting::Cap(hit)) {
                             return Some(found);
@@ -158,11 +143,7 @@ pub(super) fn walk<S: Solver, B>(
         }
     }
     if inside == Some(true) && leave == slab.far {
-        let (end, low) = if slab.up {
-            (frame.top, false)
-        } else {
-            (frame.base, true)
-        };
+        let (end, low) = if slab.up { (frame.top, false) } else { (frame.base, true) };
         if let Some(hit) = cap(leave, end, low, false) {
             if let ControlFlow::Break(found) = meet(Meeting::Cap(hit)) {
                 return Some(found);
@@ -192,11 +173,7 @@ impl Axis {
             (0.0, f32::INFINITY)
         };
         let (x, y) = (path.x + t * path.dx, path.y + t * path.dy);
-        Self {
-            t,
-            square: x * x + y * y,
-            per_q,
-        }
+        Self { t, square: x * x + y * y, per_q }
     }
 
     /// From where to where the path is in a cylinder about the axis, of the radius whose square is given.
@@ -225,16 +202,8 @@ impl Slab {
         // −0 + 0 = +0: a horizontal path counts as rising.
         let per_dz = 1.0 / (path.dz + 0.0);
         let up = per_dz > 0.0;
-        let (low, high) = (
-            path.plane(frame.low, per_dz),
-            path.plane(frame.high, per_dz),
-        );
+        let (low, high) = (path.plane(frame.low, per_dz), path.plane(frame.high, per_dz));
         let (near, far) = if up { (low, high) } else { (high, low) };
-        Self {
-            near,
-            far,
-            up,
-            per_dz,
-        }
+        Self { near, far, up, per_dz }
     }
 }

@@ -33,14 +33,8 @@ pub(super) const fn power_of_two_for(square: f32) -> f32 {
 }
 
 impl Segment {
-    pub(super) const EMPTY: Self = Self {
-        low: 0.0,
-        high: 0.0,
-        per_height: 0.0,
-        f: [0.0; 4],
-        b: [0.0; 4],
-        reach: 0.0,
-    };
+    pub(super) const EMPTY: Self =
+        Self { low: 0.0, high: 0.0, per_height: 0.0, f: [0.0; 4], b: [0.0; 4], reach: 0.0 };
 
     pub(super) const fn new(span: &Span, middle: f32, scale: f32) -> Self {
         let square = scale * scale;

@@ -25,18 +25,15 @@ pub const fn sqrt(x: f32) -> f32 {
 /// then Taylor's series over [−π/4, π/4], whose first omitted terms are below 2·10⁻⁹.
 pub const fn sin_cos(angle: f32) -> (f32, f32) {
     const PARTS: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_789_9e-8];
-    let quarters =
-        (angle * core::f32::consts::FRAC_2_PI + if angle < 0.0 { -0.5 } else { 0.5 }) as i32;
+    let quarters = (angle * core::f32::consts::FRAC_2_PI + if angle < 0.0 { -0.5 } else { 0.5 }) as i32;
     let n = quarters as f32;
     let r = ((angle - n * PARTS[0]) - n * PARTS[1]) - n * PARTS[2];
     let square = r * r;
     let sin = r
         * (1.0
             + square
-                * (-1.0 / 6.0
-                    + square * (1.0 / 120.0 + square * (-1.0 / 5_040.0 + square / 362_880.0))));
-    let cos =
-        1.0 + square * (-0.5 + square * (1.0 / 24.0 + square * (-1.0 / 720.0 + square / 40_320.0)));
+                * (-1.0 / 6.0 + square * (1.0 / 120.0 + square * (-1.0 / 5_040.0 + square / 362_880.0))));
+    let cos = 1.0 + square * (-0.5 + square * (1.0 / 24.0 + square * (-1.0 / 720.0 + square / 40_320.0)));
     match quarters & 3 {
         0 => (sin, cos),
         1 => (cos, -sin),

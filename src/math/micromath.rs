@@ -12,11 +12,7 @@ pub struct Micromath;
 impl Math for Micromath {
     fn sqrt(x: f32) -> f32 {
         // Numbers too small for the steps are brought up by 2⁴⁸ first, and their roots down by 2⁻²⁴.
-        let (x, back) = if x < 1.0e-30 {
-            (x * TWO_TO_48, TWO_TO_MINUS_24)
-        } else {
-            (x, 1.0)
-        };
+        let (x, back) = if x < 1.0e-30 { (x * TWO_TO_48, TWO_TO_MINUS_24) } else { (x, 1.0) };
         if !(x > 0.0 && x < f32::INFINITY) {
             // ±0 and +∞ are their own roots; the rest has none.
             return if x == 0.0 || x > 0.0 { x } else { f32::NAN };

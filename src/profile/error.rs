@@ -56,26 +56,17 @@ impl ProfileError {
     const fn parts(self) -> (&'static str, Option<usize>) {
         match self {
             Self::NoSegments => ("a profile needs at least two knots", None),
-            Self::TooManySegments { segments } => (
-                "more segments than the profile has room for: ",
-                Some(segments),
-            ),
-            Self::OrdinateCount { expected, .. } => (
-                "the number of ordinates is not 3 a segment and 1 more: it should be ",
-                Some(expected),
-            ),
+            Self::TooManySegments { segments } => {
+                ("more segments than the profile has room for: ", Some(segments))
+            }
+            Self::OrdinateCount { expected, .. } => {
+                ("the number of ordinates is not 3 a segment and 1 more: it should be ", Some(expected))
+            }
             Self::KnotNotFinite { knot } => ("not finite: knot ", Some(knot)),
-            Self::KnotsNotIncreasing { knot } => {
-                ("not above the knot before it: knot ", Some(knot))
-            }
+            Self::KnotsNotIncreasing { knot } => ("not above the knot before it: knot ", Some(knot)),
             Self::OrdinateNotFinite { point } => ("not finite: ordinate ", Some(point)),
-            Self::Negative { segment } => {
-                ("the squared radius is negative in segment ", Some(segment))
-            }
-            Self::Size => (
-                "the squared radius has no largest value between 1e-30 and 1e30",
-                None,
-            ),
+            Self::Negative { segment } => ("the squared radius is negative in segment ", Some(segment)),
+            Self::Size => ("the squared radius has no largest value between 1e-30 and 1e30", None),
             Self::Squash => ("the squash is not between 0 and 1", None),
         }
     }

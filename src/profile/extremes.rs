@@ -23,11 +23,7 @@ impl Extremes {
         if size > 0.0 {
             let (d0, d1, d2) = ((b1 - b0) / size, (b2 - b1) / size, (b3 - b2) / size);
             let root = constant::sqrt(d1 * d1 - d0 * d2);
-            let sum = if d0 - d1 >= 0.0 {
-                d0 - d1 + root
-            } else {
-                d0 - d1 - root
-            };
+            let sum = if d0 - d1 >= 0.0 { d0 - d1 + root } else { d0 - d1 - root };
             let turns = [d0 / sum, sum / (d0 - 2.0 * d1 + d2)];
             let mut i = 0;
             while i < 2 {
@@ -45,10 +41,7 @@ impl Extremes {
         if least < 0.0 && least >= -slack && b0 >= 0.0 && b3 >= 0.0 {
             least = 0.0;
         }
-        Self {
-            least,
-            largest: (largest + slack).min(b0.max(b1).max(b2).max(b3)),
-        }
+        Self { least, largest: (largest + slack).min(b0.max(b1).max(b2).max(b3)) }
     }
 }
 

@@ -25,11 +25,7 @@ impl<M: Math> Solver for Cardano<M> {
 
     fn seed(g: &Cubic, piece: &Piece) -> f32 {
         let [c0, c1, c2, c3] = g.c;
-        let widest = if -piece.lo > piece.hi {
-            -piece.lo
-        } else {
-            piece.hi
-        };
+        let widest = if -piece.lo > piece.hi { -piece.lo } else { piece.hi };
         if !((3.0 * c3 * widest).abs() * 1024.0 > c2.abs()) {
             return quadratic::<M>(g, piece);
         }
@@ -66,9 +62,5 @@ fn quadratic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
     let root = M::sqrt(if square > 0.0 { square } else { 0.0 });
     let sum = -0.5 * if c1 < 0.0 { c1 - root } else { c1 + root };
     let (one, other) = (c0 / sum, sum / c2);
-    if piece.lo <= one && one <= piece.hi {
-        one
-    } else {
-        other
-    }
+    if piece.lo <= one && one <= piece.hi { one } else { other }
 }

@@ -17,20 +17,12 @@ pub struct Turning {
 
 impl Turning {
     /// No such point.
-    pub const NONE: Self = Self {
-        at: f32::NAN,
-        value: f32::INFINITY,
-        bend: 0.0,
-    };
+    pub const NONE: Self = Self { at: f32::NAN, value: f32::INFINITY, bend: 0.0 };
 
     fn new(g: &Cubic, at: f32, bend: f32) -> Self {
         let value = g.at(at);
         // A vanishing leading coefficient sends one of the two points to infinity.
-        if value.is_finite() {
-            Self { at, value, bend }
-        } else {
-            Self::NONE
-        }
+        if value.is_finite() { Self { at, value, bend } } else { Self::NONE }
     }
 
     /// The turning points of `g` in ascending order, absent ones last. None or one of a quadratic, none or two of a cubic.
@@ -45,22 +37,12 @@ impl Turning {
         }
         let (near, far) = if c2 >= 0.0 {
             let sum = c2 + s;
-            (
-                Self::new(g, -c1 / sum, s),
-                Self::new(g, -sum / (3.0 * c3), -s),
-            )
+            (Self::new(g, -c1 / sum, s), Self::new(g, -sum / (3.0 * c3), -s))
         } else {
             let sum = s - c2;
-            (
-                Self::new(g, c1 / sum, -s),
-                Self::new(g, sum / (3.0 * c3), s),
-            )
+            (Self::new(g, c1 / sum, -s), Self::new(g, sum / (3.0 * c3), s))
         };
-        if far.at < near.at {
-            [far, near]
-        } else {
-            [near, far]
-        }
+        if far.at < near.at { [far, near] } else { [near, far] }
     }
 }
 
@@ -97,15 +79,7 @@ impl<S: Solver> Crossings<S> {
     /// `g` is positive (or negative) as the interval begins, whatever rounding makes of its value there.
     #[inline(always)]
     pub fn new(g: Cubic, lo: f32, hi: f32, positive: bool) -> Self {
-        Self {
-            g,
-            lo,
-            hi,
-            turns: Turning::of::<S::Math>(&g),
-            next: 0,
-            positive,
-            solver: PhantomData,
-        }
+        Self { g, lo, hi, turns: Turning::of::<S::Math>(&g), next: 0, positive, solver: PhantomData }
     }
 
     /// The interval begins at a root: the sign is that at the end of the first piece, which has no other root.
@@ -130,18 +104,9 @@ impl<S: Solver> Crossings<S> {
             _ => return None,
         };
         let lo = if left.at > self.lo { left.at } else { self.lo };
-        let (hi, value) = if right.at < self.hi {
-            (right.at, right.value)
-        } else {
-            (self.hi, self.g.at(self.hi))
-        };
-        let piece = Piece {
-            lo,
-            hi,
-            left,
-            right,
-            falling: self.positive,
-        };
+        let (hi, value) =
+            if right.at < self.hi { (right.at, right.value) } else { (self.hi, self.g.at(self.hi)) };
+        let piece = Piece { lo, hi, left, right, falling: self.positive };
         (lo <= hi).then_some((piece, value))
     }
 }
@@ -157,11 +122,7 @@ impl<S: Solver> Iterator for Crossings<S> {
             let Some((piece, value)) = self.piece(k) else {
                 continue;
             };
-            let crosses = if self.positive {
-                value <= 0.0
-            } else {
-                value >= 0.0
-            };
+            let crosses = if self.positive { value <= 0.0 } else { value >= 0.0 };
             if crosses {
                 self.positive = !self.positive;
                 return Some(refine(&self.g, &piece, S::seed(&self.g, &piece)));

@@ -8,7 +8,8 @@ const MOST_STEPS: u32 = 160;
 /// The root of `g` in a monotone piece, by Newton's method from `seed`, held in the bracket that the signs of `g` draw
 /// ever closer. A step that leaves the bracket is replaced by its middle.
 ///
-/// Both ways out are bounds on the value: one that is within its own rounding has no sign to go by, and after a step d from u the value
+/// Both ways out are bounds on the value: one that is within its own rounding has no sign to go by, only a last
+/// step to offer, and after a step d from u the value
 /// that remains is exactly `d²·(g″(u)/2 − c3·d)`. That is enough once it is below a rounding too, and the step is short
 /// enough for its own rounding not to count. Beside a turning point the slope is mostly rounding: no step is longer than half the way to it.
 #[inline(always)]
@@ -26,7 +27,14 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         }
         let value = g.at(u);
         let rounding = UNIT * g.size(u);
+        let step = value / g.slope(u);
+        // `min` passes over the NaN of a turning point that is not there.
+        let reach = 0.5 * (u - piece.left.at).min(piece.right.at - u);
+        let far = step.abs() > reach;
+        let left = step * step * (c2 + 3.0 * c3 * u - c3 * step);
+        let last = !far && left.abs() <= 0.125 * rounding;
         if value.abs() <= 2.0 * rounding {
+            u -= if last { step } else { 0.0 };
             break;
         }
         if (value > 0.0) == piece.falling {
@@ -34,16 +42,14 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         } else {
             hi = u;
         }
-        let step = value / g.slope(u);
-        // `min` passes over the NaN of a turning point that is not there.
-        let reach = 0.5 * (u - piece.left.at).min(piece.right.at - u);
-        if step.abs() > reach {
-            u -= if step > 0.0 { reach } else { -reach };
-            continue;
-        }
-        let left = step * step * (c2 + 3.0 * c3 * u - c3 * step);
-        u -= step;
-        if left.abs() <= rounding && step.abs() <= 0.5 * u.abs() {
+        u -= if !far {
+            step
+        } else if step > 0.0 {
+            reach
+        } else {
+            -reach
+        };
+        if last && step.abs() <= 0.5 * u.abs() {
             break;
         }
     }

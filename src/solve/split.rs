@@ -52,11 +52,7 @@ fn from_inflection(g: &Cubic) -> f32 {
     let ratio = -g.at(i) / c3;
     let mu = m / (3.0 * c3);
     let z = cbrt(ratio);
-    if z * z > 1.8 * mu {
-        i + (z - mu / z)
-    } else {
-        i + ratio / (3.0 * mu)
-    }
+    if z * z > 1.8 * mu { i + (z - mu / z) } else { i + ratio / (3.0 * mu) }
 }
 
 /// The cube root within 4 %: a third of the exponent, read as an integer.

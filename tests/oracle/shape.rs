@@ -1,0 +1,105 @@
+//! The solid, by the numbers that describe it.
+
+use super::bernstein::{self, Cubic};
+
+/// Normals that turn by less than this at a join, in radians, are rounding and no crease.
+const CREASE: f64 = 1e-5;
+
+/// `k·x² + y² < f(z)`: n segments between n + 1 knots, 3n + 1 control values of the squared radius, shared at joins.
+/// A closed end has a flat cap; an open one has no surface.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    pub knots: Vec<f64>,
+    pub ordinates: Vec<f64>,
+    pub k: f64,
+    pub base_closed: bool,
+    pub top_closed: bool,
+}
+
+impl Shape {
+    pub fn segments(&self) -> usize {
+        self.knots.len() - 1
+    }
+
+    pub fn squared_radius(&self, segment: usize) -> Cubic {
+        std::array::from_fn(|j| self.ordinates[3 * segment + j])
+    }
+
+    pub fn base(&self) -> f64 {
+        self.knots[0]
+    }
+
+    pub fn top(&self) -> f64 {
+        self.knots[self.segments()]
+    }
+
+    pub fn middle(&self) -> f64 {
+        (self.base() + self.top()) / 2.0
+    }
+
+    /// No radius exceeds this one.
+    pub fn widest(&self) -> f64 {
+        self.ordinates.iter().copied().fold(0.0, f64::max).sqrt()
+    }
+
+    /// Height or largest diameter, whichever is more: the unit for tolerances.
+    pub fn size(&self) -> f64 {
+        (self.top() - self.base()).max(2.0 * self.widest())
+    }
+
+    /// Segment and parameter of a height, both clamped to the profile.
+    pub fn locate(&self, z: f64) -> (usize, f64) {
+        let above = self.knots.partition_point(|&knot| knot <= z);
+        let segment = above.clamp(1, self.segments()) - 1;
+        let (low, high) = (self.knots[segment], self.knots[segment + 1]);
+        (segment, ((z - low) / (high - low)).clamp(0.0, 1.0))
+    }
+
+    /// `df/dz` at a parameter of a segment.
+    pub fn slope(&self, segment: usize, u: f64) -> f64 {
+        bernstein::slope(self.squared_radius(segment), u) / (self.knots[segment + 1] - self.knots[segment])
+    }
+
+    /// Largest `|df/dz|` between two heights; beyond the ends f is constant.
+    pub fn steepest(&self, low: f64, high: f64) -> f64 {
+        let (first, last) = (self.locate(low).0, self.locate(high).0);
+        let within = |segment: usize| {
+            let (z, h) = (self.knots[segment], self.knots[segment + 1] - self.knots[segment]);
+            let u = |height: f64| ((height - z) / h).clamp(0.0, 1.0);
+            bernstein::steepest(self.squared_radius(segment), u(low), u(high)) / h
+        };
+        (first..=last).map(within).fold(0.0, f64::max)
+    }
+
+    pub fn inside(&self, [x, y, z]: [f64; 3]) -> bool {
+        let (segment, u) = self.locate(z);
+        let f = bernstein::value(self.squared_radius(segment), u);
+        (self.base()..=self.top()).contains(&z) && self.k * x * x + y * y < f
+    }
+
+    /// Outward unit normal of the wall: along `(2·k·x, 2·y, −df/dz)`. On a conical pole it is vertical for want of better.
+    pub fn wall_normal(&self, segment: usize, u: f64, [x, y, _]: [f64; 3]) -> [f64; 3] {
+        let n = [2.0 * self.k * x, 2.0 * y, -self.slope(segment, u)];
+        let length = n.iter().map(|c| c * c).sum::<f64>().sqrt();
+        if length > 0.0 { n.map(|c| c / length) } else { [0.0, 0.0, if u < 0.5 { -1.0 } else { 1.0 }] }
+    }
+
+    /// Whether the wall's normal jumps or ends at a knot: a crease, a rim or a conical pole. A rounded pole is smooth.
+    pub fn creased(&self, knot: usize) -> bool {
+        let r = self.ordinates[3 * knot].sqrt();
+        let below = knot.checked_sub(1).map(|segment| self.slope(segment, 1.0));
+        let above = (knot < self.segments()).then(|| self.slope(knot, 0.0));
+        match (below, above) {
+            (Some(below), Some(above)) => (below.atan2(2.0 * r) - above.atan2(2.0 * r)).abs() > CREASE,
+            (Some(slope), None) | (None, Some(slope)) => r > 0.0 || slope == 0.0,
+            (None, None) => true,
+        }
+    }
+
+    /// A lower bound on the distance from a point of the wall to the nearest knot where its normal jumps.
+    pub fn to_crease(&self, [x, y, z]: [f64; 3]) -> f64 {
+        let r = (self.k * x * x + y * y).sqrt();
+        let away = |knot: usize| (r - self.ordinates[3 * knot].sqrt()).hypot(z - self.knots[knot]);
+        (0..self.knots.len()).filter(|&knot| self.creased(knot)).map(away).fold(f64::INFINITY, f64::min)
+    }
+}

@@ -20,7 +20,7 @@ mod segment;
 
 pub use segment::Segment;
 
-use crate::hit::Hit;
+use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
 use crate::ray::Ray;
 use crate::solve::{DefaultSolver, Solver};
@@ -76,8 +76,10 @@ struct Frame {
     high: f32,
     /// The square of the bounding cylinder's radius, in the frame.
     reach: f32,
-    base: End,
-    top: End,
+    /// What part of the surface the plane of the lower end holds: nothing if it is open, and the wall itself where that closes to a point.
+    base: Option<Part>,
+    /// The same of the upper end.
+    top: Option<Part>,
 }
 
 /// A lathe whatever its size.
@@ -114,8 +116,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
             low: segments[0].low,
             high: segments[len - 1].high,
             reach: widened(largest * scale * scale),
-            base: profile.base,
-            top: profile.top,
+            base: plane(segments[0].b[0], profile.base, Part::Base),
+            top: plane(segments[len - 1].b[3], profile.top, Part::Top),
         };
         Self { frame, segments }
     }
@@ -151,6 +153,15 @@ impl<const N: usize> Lathe<[Segment; N]> {
             }
         });
         hits
+    }
+}
+
+/// What part of the surface lies in the plane of an end, given the squared radius there.
+const fn plane(square: f32, end: End, cap: Part) -> Option<Part> {
+    match end {
+        _ if square == 0.0 => Some(Part::Wall),
+        End::Capped => Some(cap),
+        End::Open => None,
     }
 }
 

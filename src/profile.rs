@@ -18,6 +18,8 @@ pub(crate) struct Span {
     pub b: [f32; 4],
     /// The largest squared radius in the piece.
     pub largest: f32,
+    /// The u at which it is least.
+    pub narrowest: f32,
 }
 
 /// What a profile does at one of its ends.
@@ -123,7 +125,7 @@ impl<const N: usize> Profile<N> {
                 return Err(ProfileError::Negative { segment: i });
             }
             largest = extremes.largest.max(largest);
-            spans[i] = Span { z, top, b, largest: extremes.largest };
+            spans[i] = Span { z, top, b, largest: extremes.largest, narrowest: extremes.narrowest };
             i += 1;
         }
         if !(largest >= 1e-30 && largest <= 1e30) {
@@ -167,5 +169,5 @@ impl<const N: usize> Profile<N> {
 }
 
 impl Span {
-    pub const EMPTY: Self = Self { z: 0.0, top: 0.0, b: [0.0; 4], largest: 0.0 };
+    pub const EMPTY: Self = Self { z: 0.0, top: 0.0, b: [0.0; 4], largest: 0.0, narrowest: 0.0 };
 }

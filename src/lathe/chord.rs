@@ -6,66 +6,79 @@ use crate::solve::{Crossings, Solver};
 
 /// What of a ray lies in one segment's slab and cylinder, and g along it.
 pub(super) struct Chord<'a> {
-    pub path: &'a Path,
-    pub segment: &'a Segment,
-    pub index: usize,
-    /// Where it begins, and how long it is, in the path's t.
-    pub start: f32,
-    pub length: f32,
+    path: &'a Path,
+    segment: &'a Segment,
+    index: usize,
     /// Whether the ray is inside the solid as the chord begins.
     pub inside: bool,
-    /// g over w, from 0 at the chord's start to 1 at its end.
-    pub g: Cubic,
+    /// Where on the path s = 0.
+    origin: f32,
+    /// g over s.
+    g: Cubic,
+    /// The chord's ends, in s.
+    from: f32,
+    to: f32,
 }
 
 impl<'a> Chord<'a> {
-    /// The chord from `start` to `end`, and g at its start and end. `inside` is whatever the caller knows: `None` for "look at g".
+    /// The chord between two of the path's t. `inside` is what is known where it begins: `None` for "see for yourself".
     ///
-    /// With P = A + w·V: `g = f(u) − ⟨A,A⟩ − 2·w·⟨A,V⟩ − w²·⟨V,V⟩`, and f by Taylor's formula about the u of A. No division, whatever the slope.
+    /// Taylor's formula about a point of the chord,
+    ///
+    /// `g = f(u) − (x² + y²) + s·(f′·κ − 2·(x·dx + y·dy)) + s²·(f″/2·κ² − q) + s³·f₃·κ³`, κ = du/ds = dz/h.
+    ///
+    /// No division, whatever the slope; a horizontal ray has κ = 0. The point is the one nearest to the axis, where x² + y² is least, unless f and x² + y²
+    /// are less where the segment is narrowest, as they can be for a steep ray: so that by a pole or in a narrow neck
+    /// the coefficients are as small as the solid is there.
     #[inline(always)]
     pub fn new(
         path: &'a Path,
         segment: &'a Segment,
         index: usize,
-        start: f32,
-        end: f32,
+        [from, to]: [f32; 2],
         inside: Option<bool>,
     ) -> Self {
-        let length = end - start;
-        let (ax, ay) = (path.x + start * path.dx, path.y + start * path.dy);
-        let (vx, vy) = (length * path.dx, length * path.dy);
-        let u = segment.parameter(path.z + start * path.dz);
-        let du = segment.parameter(path.z + end * path.dz) - u;
-        let [f0, f1, f2, f3] = segment.f;
-        let c0 = ((f3 * u + f2) * u + f1) * u + f0 - (ax * ax + ay * ay);
-        let c1 = ((3.0 * f3 * u + 2.0 * f2) * u + f1) * du - 2.0 * (ax * vx + ay * vy);
-        let c2 = (3.0 * f3 * u + f2) * (du * du) - (vx * vx + vy * vy);
-        let c3 = f3 * (du * du * du);
+        let within = |t: f32| if t > from { if t < to { t } else { to } } else { from };
+        let mut origin = within(path.nearest);
+        let mut here = Place::new(path, segment, origin);
+        let narrow = within(path.plane(segment.narrowest));
+        let away = narrow - path.nearest;
+        if path.q * (away * away) < here.f {
+            let there = Place::new(path, segment, narrow);
+            if there.f + path.q * (away * away) < here.f {
+                (origin, here) = (narrow, there);
+            }
+        }
+        let kappa = path.dz * segment.per_height;
+        let [_, _, f2, f3] = segment.f;
+        let c2 = (3.0 * f3 * here.u + f2) * (kappa * kappa) - path.q;
+        let c3 = f3 * (kappa * kappa * kappa);
         Self {
             path,
             segment,
             index,
-            start,
-            length,
             inside: match inside {
                 Some(inside) => inside,
-                None => c0 > 0.0,
+                None => Place::new(path, segment, from).g > 0.0,
             },
-            g: Cubic::new([c0, c1, c2, c3]),
+            origin,
+            g: Cubic::new([here.g, here.slope, c2, c3]),
+            from: from - origin,
+            to: to - origin,
         }
     }
 
-    /// Whether the Bernstein ordinates of g have all the sign that g starts with: a certain miss, since g lies between them.
+    /// Whether the Bernstein ordinates of g over the chord have all the sign that it starts with: a certain miss, since g lies between them.
     #[inline(always)]
     pub fn is_clear(&self) -> bool {
-        let [c0, c1, c2, c3] = self.g.c;
-        let g1 = c0 + c1 * (1.0 / 3.0);
-        let g2 = c0 + (2.0 * c1 + c2) * (1.0 / 3.0);
-        let g3 = c0 + c1 + c2 + c3;
+        let third = (self.to - self.from) * (1.0 / 3.0);
+        let (g0, g3) = (self.g.at(self.from), self.g.at(self.to));
+        let g1 = g0 + third * self.g.slope(self.from);
+        let g2 = g3 - third * self.g.slope(self.to);
         if self.inside {
-            c0 >= 0.0 && g1 > 0.0 && g2 > 0.0 && g3 > 0.0
+            g0 >= 0.0 && g1 > 0.0 && g2 > 0.0 && g3 > 0.0
         } else {
-            c0 <= 0.0 && g1 < 0.0 && g2 < 0.0 && g3 < 0.0
+            g0 <= 0.0 && g1 < 0.0 && g2 < 0.0 && g3 < 0.0
         }
     }
 
@@ -73,9 +86,9 @@ impl<'a> Chord<'a> {
     #[inline(always)]
     pub fn hits<S: Solver>(&self) -> impl Iterator<Item = Hit> {
         let mut inside = self.inside;
-        Crossings::<S>::new(self.g, 0.0, 1.0, inside).map(move |w| {
+        Crossings::<S>::new(self.g, self.from, self.to, inside).map(move |s| {
             inside = !inside;
-            self.hit(w, inside)
+            self.hit(s, inside)
         })
     }
 
@@ -85,27 +98,39 @@ impl<'a> Chord<'a> {
         self.hits::<S>().any(|hit| hit.t > t_min)
     }
 
-    /// The hit near w. One Newton step on the segment itself, whose squared radius at a point is off by units of that squared radius, not of the largest on the
-    /// chord: what matters at poles and in narrow necks.
     #[inline(always)]
-    fn hit(&self, w: f32, enters: bool) -> Hit {
-        let path = self.path;
-        let t = self.start + w * self.length;
-        let (x, y) = (path.x + t * path.dx, path.y + t * path.dy);
-        let u = self.segment.parameter(path.z + t * path.dz);
-        let (f, slope) = self.segment.at(u);
-        let g = f - (x * x + y * y);
-        let rate = slope * (path.dz * self.segment.per_height) - 2.0 * (x * path.dx + y * path.dy);
-        let step = g / rate;
-        // Beside a silhouette the slope is mostly rounding, and so would the step be. The frame's lengths are of the order of one.
-        let step = if step.abs() < 1.0 / 1024.0 { step } else { 0.0 };
-        let t = t - step;
+    fn hit(&self, s: f32, enters: bool) -> Hit {
+        let t = self.origin + s;
         Hit {
-            t: path.distance(t),
+            t: self.path.distance(t),
             segment: self.index,
-            u: self.segment.parameter(path.z + t * path.dz),
+            u: self.segment.parameter(self.path.z + t * self.path.dz),
             enters,
             part: Part::Wall,
+        }
+    }
+}
+
+/// A point of a path in a segment's slab.
+struct Place {
+    u: f32,
+    f: f32,
+    g: f32,
+    /// dg/dt along the path.
+    slope: f32,
+}
+
+impl Place {
+    #[inline(always)]
+    fn new(path: &Path, segment: &Segment, t: f32) -> Self {
+        let (x, y) = (path.x + t * path.dx, path.y + t * path.dy);
+        let u = segment.parameter(path.z + t * path.dz);
+        let (f, slope) = segment.at(u);
+        Self {
+            u,
+            f,
+            g: f - (x * x + y * y),
+            slope: slope * (path.dz * segment.per_height) - 2.0 * (x * path.dx + y * path.dy),
         }
     }
 }

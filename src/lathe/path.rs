@@ -1,8 +1,7 @@
 use super::chord::Chord;
 use super::{Frame, View};
-use crate::hit::{Hit, Part};
+use crate::hit::Hit;
 use crate::math::Math;
-use crate::profile::End;
 use crate::ray::Ray;
 use crate::solve::Solver;
 use core::ops::ControlFlow;
@@ -16,6 +15,14 @@ pub(super) struct Path {
     pub dx: f32,
     pub dy: f32,
     pub dz: f32,
+    /// Infinite for a horizontal path.
+    per_dz: f32,
+    /// dx² + dy².
+    pub q: f32,
+    per_q: f32,
+    /// The t at which the path is nearest to the axis, and the square of the distance there.
+    pub nearest: f32,
+    square: f32,
     /// Where the path's origin lies on the ray, in the path's t.
     shift: f32,
     /// A distance along the ray, in units of its own direction, is a path's t (from the ray's origin) times this.
@@ -28,22 +35,45 @@ impl Path {
         let (o, d) = (ray.origin, ray.direction);
         let (x, y, z) = (o.x * frame.scale, o.y * frame.scale, (o.z - frame.middle) * frame.scale);
         let shift = -(x * d.x + y * d.y + z * d.z) / (d.x * d.x + d.y * d.y + d.z * d.z);
+        let (x, y, z) = ((x + shift * d.x) * frame.root_squash, y + shift * d.y, z + shift * d.z);
+        let (dx, dy) = (d.x * frame.root_squash, d.y);
+        let q = dx * dx + dy * dy;
+        // Parallel to the axis, it is as near everywhere.
+        let per_q = if q > f32::MIN_POSITIVE { 1.0 / q } else { f32::INFINITY };
+        let nearest = if per_q < f32::INFINITY { -(x * dx + y * dy) * per_q } else { 0.0 };
+        let (ax, ay) = (x + nearest * dx, y + nearest * dy);
         Self {
-            x: (x + shift * d.x) * frame.root_squash,
-            y: y + shift * d.y,
-            z: z + shift * d.z,
-            dx: d.x * frame.root_squash,
-            dy: d.y,
+            x,
+            y,
+            z,
+            dx,
+            dy,
             dz: d.z,
+            // −0 + 0 = +0: a horizontal path counts as rising.
+            per_dz: 1.0 / (d.z + 0.0),
+            q,
+            per_q,
+            nearest,
+            square: ax * ax + ay * ay,
             shift,
             per_unit: 1.0 / (frame.scale * ray.unit),
         }
     }
 
+    /// From where to where the path is in a cylinder about the axis, of the radius whose square is given.
+    #[inline(always)]
+    fn within<M: Math>(&self, reach: f32) -> Option<(f32, f32)> {
+        if self.square > reach {
+            return None;
+        }
+        let half = M::sqrt((reach - self.square) * self.per_q);
+        Some((self.nearest - half, self.nearest + half))
+    }
+
     /// Where the path passes a height.
     #[inline(always)]
-    fn plane(&self, z: f32, per_dz: f32) -> f32 {
-        (z - self.z) * per_dz
+    pub fn plane(&self, z: f32) -> f32 {
+        (z - self.z) * self.per_dz
     }
 
     /// The distance along the ray, in units of its own direction, at the path's t.
@@ -77,8 +107,7 @@ pub(super) fn walk<S: Solver, B>(
     let path = &Path::new(frame, ray);
     let first = t_min * (frame.scale * ray.unit) - path.shift;
 
-    let axis = Axis::new::<S>(path);
-    let (near, far) = axis.within::<S>(frame.reach)?;
+    let (near, far) = path.within::<S::Math>(frame.reach)?;
     let slab = Slab::new(path, frame);
     let enter = slab.near.max(near).max(first);
     let leave = slab.far.min(far);
@@ -87,15 +116,15 @@ pub(super) fn walk<S: Solver, B>(
         return None;
     }
 
-    let cap = |t: f32, end: End, low: bool, enters: bool| {
+    let cap = |t: f32, low: bool, enters: bool| {
         let hit = Hit {
             t: path.distance(t),
             segment: if low { 0 } else { segments.len() - 1 },
             u: if low { 0.0 } else { 1.0 },
             enters,
-            part: if low { Part::Base } else { Part::Top },
+            part: (if low { frame.base } else { frame.top })?,
         };
-        (end == End::Capped && hit.t > t_min).then_some(hit)
+        (hit.t > t_min).then_some(hit)
     };
 
     // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here, has g to tell.
@@ -106,21 +135,20 @@ pub(super) fn walk<S: Solver, B>(
         let Some(segment) = segments.get(index) else {
             break;
         };
-        let exit = path.plane(if slab.up { segment.high } else { segment.low }, slab.per_dz);
+        let exit = path.plane(if slab.up { segment.high } else { segment.low });
         if exit <= at {
             continue;
         }
         let end = exit.min(leave);
         let mut after = false;
-        if let Some((near, far)) = axis.within::<S>(segment.reach) {
+        if let Some((near, far)) = path.within::<S::Math>(segment.reach) {
             let (from, to) = (near.max(at), far.min(end));
             if from < to {
                 let known = if from > at { Some(false) } else { inside };
-                let chord = Chord::new(path, segment, index, from, to, known);
+                let chord = Chord::new(path, segment, index, [from, to], known);
                 after = chord.inside;
                 if known.is_none() && after && enter > first {
-                    let (end, low) = if slab.up { (frame.base, true) } else { (frame.top, false) };
-                    if let Some(hit) = cap(enter, end, low, true) {
+                    if let Some(hit) = cap(enter, slab.up, true) {
                         if let ControlFlow::Break(found) = meet(Meeting::Cap(hit)) {
                             return Some(found);
                         }
@@ -143,8 +171,7 @@ pub(super) fn walk<S: Solver, B>(
         }
     }
     if inside == Some(true) && leave == slab.far {
-        let (end, low) = if slab.up { (frame.top, false) } else { (frame.base, true) };
-        if let Some(hit) = cap(leave, end, low, false) {
+        if let Some(hit) = cap(leave, !slab.up, false) {
             if let ControlFlow::Break(found) = meet(Meeting::Cap(hit)) {
                 return Some(found);
             }
@@ -153,57 +180,20 @@ pub(super) fn walk<S: Solver, B>(
     None
 }
 
-/// Where a path is nearest to the axis.
-struct Axis {
-    t: f32,
-    /// The square of the distance there.
-    square: f32,
-    per_q: f32,
-}
-
-impl Axis {
-    #[inline(always)]
-    fn new<S: Solver>(path: &Path) -> Self {
-        let q = path.dx * path.dx + path.dy * path.dy;
-        // Parallel to the axis, it is as near everywhere.
-        let (t, per_q) = if q > f32::MIN_POSITIVE {
-            let per_q = 1.0 / q;
-            (-(path.x * path.dx + path.y * path.dy) * per_q, per_q)
-        } else {
-            (0.0, f32::INFINITY)
-        };
-        let (x, y) = (path.x + t * path.dx, path.y + t * path.dy);
-        Self { t, square: x * x + y * y, per_q }
-    }
-
-    /// From where to where the path is in a cylinder about the axis, of the radius whose square is given.
-    #[inline(always)]
-    fn within<S: Solver>(&self, reach: f32) -> Option<(f32, f32)> {
-        if self.square > reach {
-            return None;
-        }
-        let half = S::Math::sqrt((reach - self.square) * self.per_q);
-        Some((self.t - half, self.t + half))
-    }
-}
-
 /// From where to where a path is between the ends of a lathe.
 struct Slab {
     near: f32,
     far: f32,
     /// Whether the path does not descend.
     up: bool,
-    per_dz: f32,
 }
 
 impl Slab {
     #[inline(always)]
     fn new(path: &Path, frame: &Frame) -> Self {
-        // −0 + 0 = +0: a horizontal path counts as rising.
-        let per_dz = 1.0 / (path.dz + 0.0);
-        let up = per_dz > 0.0;
-        let (low, high) = (path.plane(frame.low, per_dz), path.plane(frame.high, per_dz));
+        let up = path.per_dz > 0.0;
+        let (low, high) = (path.plane(frame.low), path.plane(frame.high));
         let (near, far) = if up { (low, high) } else { (high, low) };
-        Self { near, far, up, per_dz }
+        Self { near, far, up }
     }
 }

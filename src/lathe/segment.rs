@@ -4,7 +4,7 @@ use crate::profile::Span;
 ///
 /// ```
 /// use embedded_lathe::Segment;
-/// assert_eq!(core::mem::size_of::<Segment>(), 48);
+/// assert_eq!(core::mem::size_of::<Segment>(), 52);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -17,6 +17,8 @@ pub struct Segment {
     pub(super) f: [f32; 4],
     /// The same as Bernstein ordinates: accurate near u = 1, too, where the powers cancel.
     pub(super) b: [f32; 4],
+    /// The height at which the segment is narrowest.
+    pub(super) narrowest: f32,
     /// The square of the radius of a cylinder around the segment, wide enough that a point on it is outside whatever rounding does.
     pub(super) reach: f32,
 }
@@ -34,7 +36,7 @@ pub(super) const fn power_of_two_for(square: f32) -> f32 {
 
 impl Segment {
     pub(super) const EMPTY: Self =
-        Self { low: 0.0, high: 0.0, per_height: 0.0, f: [0.0; 4], b: [0.0; 4], reach: 0.0 };
+        Self { low: 0.0, high: 0.0, per_height: 0.0, f: [0.0; 4], b: [0.0; 4], narrowest: 0.0, reach: 0.0 };
 
     pub(super) const fn new(span: &Span, middle: f32, scale: f32) -> Self {
         let square = scale * scale;
@@ -47,6 +49,7 @@ impl Segment {
             per_height: 1.0 / (high - low),
             f: crate::cubic::Cubic::from_bernstein(b).c,
             b,
+            narrowest: low + span.narrowest * (high - low),
             reach: widened(span.largest * square),
         }
     }

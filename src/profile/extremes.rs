@@ -4,6 +4,8 @@ use super::constant;
 pub(super) struct Extremes {
     /// Zero where it is below zero by no more than rounding.
     pub least: f32,
+    /// Where it is.
+    pub narrowest: f32,
     /// Never below the true one.
     pub largest: f32,
 }
@@ -17,7 +19,7 @@ impl Extremes {
     pub const fn of(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
         let size = b0.abs().max(b1.abs()).max(b2.abs()).max(b3.abs());
-        let mut least = b0.min(b3);
+        let (mut least, mut narrowest) = if b0 <= b3 { (b0, 0.0) } else { (b3, 1.0) };
         let mut largest = b0.max(b3);
         // Scaled, so that squares of differences neither over- nor underflow. The derivative is 3·(d0·(1−u)² + 2·d1·u(1−u) + d2·u²).
         if size > 0.0 {
@@ -30,7 +32,9 @@ impl Extremes {
                 let u = turns[i];
                 if u > 0.0 && u < 1.0 {
                     let value = bezier(b, u);
-                    least = least.min(value);
+                    if value < least {
+                        (least, narrowest) = (value, u);
+                    }
                     largest = largest.max(value);
                 }
                 i += 1;
@@ -41,7 +45,7 @@ impl Extremes {
         if least < 0.0 && least >= -slack && b0 >= 0.0 && b3 >= 0.0 {
             least = 0.0;
         }
-        Self { least, largest: (largest + slack).min(b0.max(b1).max(b2).max(b3)) }
+        Self { least, narrowest, largest: (largest + slack).min(b0.max(b1).max(b2).max(b3)) }
     }
 }
 

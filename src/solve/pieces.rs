@@ -107,7 +107,7 @@ impl<S: Solver> Crossings<S> {
         let (hi, value) =
             if right.at < self.hi { (right.at, right.value) } else { (self.hi, self.g.at(self.hi)) };
         let piece = Piece { lo, hi, left, right, falling: self.positive };
-        (lo <= hi).then_some((piece, value))
+        (lo < hi).then_some((piece, value))
     }
 }
 
@@ -125,7 +125,11 @@ impl<S: Solver> Iterator for Crossings<S> {
             let crosses = if self.positive { value <= 0.0 } else { value >= 0.0 };
             if crosses {
                 self.positive = !self.positive;
-                return Some(refine(&self.g, &piece, S::seed(&self.g, &piece)));
+                return Some(if value == 0.0 {
+                    piece.hi
+                } else {
+                    refine(&self.g, &piece, S::seed(&self.g, &piece))
+                });
             }
         }
         None

@@ -20,6 +20,10 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
     let mut u = seed;
     for _ in 0..MOST_STEPS {
         if !(lo < u && u < hi) {
+            // A double root at an end, such as a cone's apex on its axis, is seeded there exactly.
+            if u == lo && g.at(u) == 0.0 {
+                break;
+            }
             u = 0.5 * lo + 0.5 * hi;
             if !(lo < u && u < hi) {
                 break;

@@ -24,6 +24,7 @@ use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
 use crate::ray::Ray;
 use crate::solve::{DefaultSolver, Solver};
+use chord::Chord;
 use core::ops::ControlFlow;
 use heapless::Vec;
 use path::{Meeting, walk};
@@ -145,7 +146,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
                 let mut inside = chord.inside;
                 for hit in chord.hits::<S>() {
                     inside = hit.enters;
-                    if hit.t > t_min {
+                    if is_beyond(hit.t, t_min) {
                         let _ = hits.push(hit);
                     }
                 }
@@ -154,6 +155,24 @@ impl<const N: usize> Lathe<[Segment; N]> {
         });
         hits
     }
+}
+
+/// The first crossing of a chord beyond `t_min`, or whether the ray is inside at the chord's end.
+#[inline(always)]
+fn first<S: Solver>(chord: &Chord, t_min: f32) -> ControlFlow<Hit, bool> {
+    let mut inside = chord.inside;
+    for hit in chord.hits::<S>() {
+        if is_beyond(hit.t, t_min) {
+            return ControlFlow::Break(hit);
+        }
+        inside = hit.enters;
+    }
+    ControlFlow::Continue(inside)
+}
+
+/// A distance too large for a number is none.
+fn is_beyond(t: f32, t_min: f32) -> bool {
+    t > t_min && t < f32::INFINITY
 }
 
 /// What part of the surface lies in the plane of an end, given the squared radius there.
@@ -181,16 +200,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         walk::<S, _>(self.view(), ray, t_min, |meeting| match meeting {
             Meeting::Cap(hit) => ControlFlow::Break(hit),
-            Meeting::Chord(chord) => {
-                let mut inside = chord.inside;
-                for hit in chord.hits::<S>() {
-                    if hit.t > t_min {
-                        return ControlFlow::Break(hit);
-                    }
-                    inside = hit.enters;
-                }
-                ControlFlow::Continue(inside)
-            }
+            Meeting::Chord(chord) => first::<S>(&chord, t_min),
         })
     }
 
@@ -203,8 +213,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
         walk::<S, _>(self.view(), ray, t_min, |meeting| match meeting {
             Meeting::Cap(_) => ControlFlow::Break(()),
-            Meeting::Chord(chord) if chord.crosses::<S>(t_min) => ControlFlow::Break(()),
-            Meeting::Chord(chord) => ControlFlow::Continue(chord.inside),
+            Meeting::Chord(chord) if chord.later && chord.crosses::<S>() => ControlFlow::Break(()),
+            Meeting::Chord(chord) => first::<S>(&chord, t_min).map_break(|_| ()),
         })
         .is_some()
     }

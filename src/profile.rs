@@ -76,6 +76,9 @@ pub struct Profile<const N: usize> {
     pub(crate) top: End,
 }
 
+/// How many times the largest radius a profile may be high, and a segment of it low: cubes of these are still numbers.
+const MOST: f32 = 1e10;
+
 impl<const N: usize> Profile<N> {
     /// A round profile, open at both ends, from its knots (heights, n + 1 of them, increasing) and ordinates (squared radii, 3·n + 1 of
     /// them: Bézier control values, the joins' shared), in one unit of length and its square. n may be anything from 1 to N.
@@ -115,7 +118,7 @@ impl<const N: usize> Profile<N> {
             if !top.is_finite() {
                 return Err(ProfileError::KnotNotFinite { knot: i + 1 });
             }
-            if !(top > z && (top - z).is_finite() && (1.0 / (top - z)).is_finite()) {
+            if !(top > z) {
                 return Err(ProfileError::KnotsNotIncreasing { knot: i + 1 });
             }
             let j = 3 * i;
@@ -130,6 +133,17 @@ impl<const N: usize> Profile<N> {
         }
         if !(largest >= 1e-30 && largest <= 1e30) {
             return Err(ProfileError::Size);
+        }
+        let radius = constant::sqrt(largest);
+        if !(knots[len] - knots[0] <= MOST * radius) {
+            return Err(ProfileError::Height);
+        }
+        let mut knot = 1;
+        while knot <= len {
+            if !((knots[knot] - knots[knot - 1]) * MOST >= radius) {
+                return Err(ProfileError::KnotsNotIncreasing { knot });
+            }
+            knot += 1;
         }
         Ok(Self { spans, len, squash: 1.0, base: End::Open, top: End::Open })
     }

@@ -15,10 +15,11 @@
 //!
 //! # Promise
 //!
-//! The root returned is exact for a cubic whose coefficients differ from the given ones by at most
-//! [`BACKWARD_ERROR`] units of 2⁻²⁴ each, relative, and so is the claim that there is none before it. Two roots closer than that can tell apart may be
-//! reported or missed together. No coefficient is too small, too large or zero: the leading ones may vanish, and scale
-//! does not matter. Coefficients that are not finite have no roots.
+//! The root returned is exact for a cubic whose coefficients differ from the given ones by at most [`BACKWARD_ERROR`]
+//! units of 2⁻²⁴ each, relative, and so is the claim that there is none before it. Two roots closer than that can tell
+//! apart may be reported or missed together. Leading coefficients may vanish, and the scale of the coefficients does not
+//! matter; what does not count is a term `cⱼ·uʲ` below 2⁻¹²⁶ of the largest coefficient. Coefficients that are not finite
+//! have no roots.
 
 mod cardano;
 mod pieces;
@@ -43,12 +44,13 @@ pub const BACKWARD_ERROR: f32 = 4.0;
 /// ```
 /// use embedded_lathe::{Cubic, math::Libm, solve::{Cardano, Solver, Split}};
 ///
-/// fn middle_root<S: Solver>() -> Option<f32> {
-///     Cubic::new([-6.0, 11.0, -6.0, 1.0]).first_root_by::<S>(1.5, 10.0)
+/// fn middle_root<S: Solver>() -> f32 {
+///     Cubic::new([-6.0, 11.0, -6.0, 1.0]).first_root_by::<S>(1.5, 10.0).unwrap()
 /// }
 ///
-/// assert_eq!(middle_root::<Split>(), Some(2.0));
-/// assert_eq!(middle_root::<Cardano<Libm>>(), Some(2.0));
+/// // Its terms add up to 60: the last bits of the root are those of the coefficients.
+/// assert!((middle_root::<Split>() - 2.0).abs() < 1e-5);
+/// assert!((middle_root::<Cardano<Libm>>() - 2.0).abs() < 1e-5);
 /// ```
 pub trait Solver {
     /// The mathematics that the solver's functions come from.

@@ -108,3 +108,11 @@ pub static STILL_LIFE: Scene = Scene {
     light: DAYLIGHT,
     background: SKY,
 };
+
+/// All of them, and what their pictures in `docs` are called.
+pub static NAMED: [(&str, &Scene); 4] = [
+    ("vase", &VASE_SCENE),
+    ("tilted-vase", &TILTED_SCENE),
+    ("bowl", &INSIDE_SCENE),
+    ("still-life", &STILL_LIFE),
+];

@@ -11,6 +11,8 @@ pub(super) struct Chord<'a> {
     index: usize,
     /// Whether the ray is inside the solid as the chord begins.
     pub inside: bool,
+    /// Whether the chord begins beyond `t_min`, not there.
+    pub later: bool,
     /// Where on the path s = 0.
     origin: f32,
     /// g over s.
@@ -37,6 +39,7 @@ impl<'a> Chord<'a> {
         index: usize,
         [from, to]: [f32; 2],
         inside: Option<bool>,
+        later: bool,
     ) -> Self {
         let within = |t: f32| if t > from { if t < to { t } else { to } } else { from };
         let mut origin = within(path.nearest);
@@ -61,6 +64,7 @@ impl<'a> Chord<'a> {
                 Some(inside) => inside,
                 None => Place::new(path, segment, from).g > 0.0,
             },
+            later,
             origin,
             g: Cubic::new([here.g, here.slope, c2, c3]),
             from: from - origin,
@@ -92,10 +96,10 @@ impl<'a> Chord<'a> {
         })
     }
 
-    /// Whether there is a crossing beyond `t_min`.
+    /// Whether there is a crossing at all: the signs at the turning points and the end, no root.
     #[inline(always)]
-    pub fn crosses<S: Solver>(&self, t_min: f32) -> bool {
-        self.hits::<S>().any(|hit| hit.t > t_min)
+    pub fn crosses<S: Solver>(&self) -> bool {
+        Crossings::<S>::new(self.g, self.from, self.to, self.inside).any_left()
     }
 
     #[inline(always)]

@@ -1,5 +1,5 @@
 use super::chord::Chord;
-use super::{Frame, View};
+use super::{Frame, View, is_beyond};
 use crate::hit::Hit;
 use crate::math::Math;
 use crate::ray::Ray;
@@ -124,7 +124,7 @@ pub(super) fn walk<S: Solver, B>(
             enters,
             part: (if low { frame.base } else { frame.top })?,
         };
-        (hit.t > t_min).then_some(hit)
+        is_beyond(hit.t, t_min).then_some(hit)
     };
 
     // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here, has g to tell.
@@ -145,7 +145,7 @@ pub(super) fn walk<S: Solver, B>(
             let (from, to) = (near.max(at), far.min(end));
             if from < to {
                 let known = if from > at { Some(false) } else { inside };
-                let chord = Chord::new(path, segment, index, [from, to], known);
+                let chord = Chord::new(path, segment, index, [from, to], known, from > first);
                 after = chord.inside;
                 if known.is_none() && after && enter > first {
                     if let Some(hit) = cap(enter, slab.up, true) {

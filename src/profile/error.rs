@@ -30,7 +30,7 @@ pub enum ProfileError {
         /// Which knot, from 0.
         knot: usize,
     },
-    /// A knot is not above the one before it, or so little that the reciprocal of their distance is not finite.
+    /// A knot is not above the one before it, or by less than 10⁻¹⁰ of the largest radius.
     KnotsNotIncreasing {
         /// The upper of the two, from 1.
         knot: usize,
@@ -47,6 +47,8 @@ pub enum ProfileError {
     },
     /// The squared radius is zero everywhere, or its largest value outside 10⁻³⁰ to 10³⁰.
     Size,
+    /// The profile is more than 10¹⁰ times as high as its largest radius.
+    Height,
     /// The squash is outside [0, 1].
     Squash,
 }
@@ -67,6 +69,7 @@ impl ProfileError {
             Self::OrdinateNotFinite { point } => ("not finite: ordinate ", Some(point)),
             Self::Negative { segment } => ("the squared radius is negative in segment ", Some(segment)),
             Self::Size => ("the squared radius has no largest value between 1e-30 and 1e30", None),
+            Self::Height => ("the profile is more than 1e10 times as high as wide", None),
             Self::Squash => ("the squash is not between 0 and 1", None),
         }
     }

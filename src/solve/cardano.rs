@@ -11,8 +11,8 @@ use core::marker::PhantomData;
 ///   the sign that adds;
 /// - three real roots: `X = 2·√D·cos(θ)`, `cos(3θ) = −N/(2·√D³)`, θ by the piece.
 ///
-/// (Cardano 1545, Viète 1591.) Going back divides by c3, and `X − c2` cancels as c3 → 0: where `|3·c3·u|` cannot exceed 2⁻¹⁰ of c2 the seed is the
-/// quadratic's, `c0 + c1·u + c2·u²`, in the form that does not cancel. What the formula loses beside a double root, and what rough functions
+/// (Cardano 1545, Viète 1591.) Going back divides by c3, and `X − c2` cancels as c3 → 0: where that throws the seed out of the piece it is the
+/// quadratic's, `c0 + c1·u + c2·u²`, in the form that does not cancel. What else the formula loses beside a double root, and what rough functions
 /// lose anywhere, the refinement restores.
 ///
 /// Sound for every finite cubic over every backend; see the [module](super) for the bound.
@@ -24,25 +24,26 @@ impl<M: Math> Solver for Cardano<M> {
     type Math = M;
 
     fn seed(g: &Cubic, piece: &Piece) -> f32 {
-        let [c0, c1, c2, c3] = g.c;
-        let widest = if -piece.lo > piece.hi { -piece.lo } else { piece.hi };
-        if !((3.0 * c3 * widest).abs() * 1024.0 > c2.abs()) {
-            return quadratic::<M>(g, piece);
-        }
-        let d = c2 * c2 - 3.0 * c3 * c1;
-        let n = c2 * (2.0 * c2 * c2 - 9.0 * c3 * c1) + 27.0 * c3 * c3 * c0;
-        let x = if 4.0 * d * d * d > n * n {
-            let root_d = M::sqrt(d);
-            let theta = M::acos((-n / (2.0 * root_d * d)).clamp(-1.0, 1.0)) / 3.0;
-            2.0 * root_d * M::cos(theta + turn(piece, c3))
-        } else {
-            let square = n * n - 4.0 * d * d * d;
-            let root = M::sqrt(if square > 0.0 { square } else { 0.0 });
-            let z = M::cbrt(-0.5 * if n < 0.0 { n - root } else { n + root });
-            z + d / z
-        };
-        (x - c2) / (3.0 * c3)
+        let u = cubic::<M>(g, piece);
+        if piece.lo < u && u < piece.hi { u } else { quadratic::<M>(g, piece) }
     }
+}
+
+fn cubic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
+    let [c0, c1, c2, c3] = g.c;
+    let d = c2 * c2 - 3.0 * c3 * c1;
+    let n = c2 * (2.0 * c2 * c2 - 9.0 * c3 * c1) + 27.0 * c3 * c3 * c0;
+    let x = if 4.0 * d * d * d > n * n {
+        let root_d = M::sqrt(d);
+        let theta = M::acos((-n / (2.0 * root_d * d)).clamp(-1.0, 1.0)) / 3.0;
+        2.0 * root_d * M::cos(theta + turn(piece, c3))
+    } else {
+        let square = n * n - 4.0 * d * d * d;
+        let root = M::sqrt(if square > 0.0 { square } else { 0.0 });
+        let z = M::cbrt(-0.5 * if n < 0.0 { n - root } else { n + root });
+        z + d / z
+    };
+    (x - c2) / (3.0 * c3)
 }
 
 /// Which of the three angles belongs to the piece. X falls with θ; u rises with X if c3 > 0.

@@ -109,13 +109,10 @@ impl<S: Solver> Crossings<S> {
         let piece = Piece { lo, hi, left, right, falling: self.positive };
         (lo < hi).then_some((piece, value))
     }
-}
 
-impl<S: Solver> Iterator for Crossings<S> {
-    type Item = f32;
-
+    /// The next piece that holds a crossing, and the cubic's value at its end.
     #[inline(always)]
-    fn next(&mut self) -> Option<f32> {
+    fn crossing(&mut self) -> Option<(Piece, f32)> {
         while self.next < 3 {
             let k = self.next;
             self.next += 1;
@@ -125,14 +122,26 @@ impl<S: Solver> Iterator for Crossings<S> {
             let crosses = if self.positive { value <= 0.0 } else { value >= 0.0 };
             if crosses {
                 self.positive = !self.positive;
-                return Some(if value == 0.0 {
-                    piece.hi
-                } else {
-                    refine(&self.g, &piece, S::seed(&self.g, &piece))
-                });
+                return Some((piece, value));
             }
         }
         None
+    }
+
+    /// Whether there is another crossing.
+    #[inline(always)]
+    pub fn any_left(&mut self) -> bool {
+        self.crossing().is_some()
+    }
+}
+
+impl<S: Solver> Iterator for Crossings<S> {
+    type Item = f32;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<f32> {
+        let (piece, value) = self.crossing()?;
+        Some(if value == 0.0 { piece.hi } else { refine(&self.g, &piece, S::seed(&self.g, &piece)) })
     }
 }
 

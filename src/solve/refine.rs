@@ -37,7 +37,8 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         let far = step.abs() > reach;
         let left = step * step * (c2 + 3.0 * c3 * u - c3 * step);
         let last = !far && left.abs() <= 0.125 * rounding;
-        if value.abs() <= 2.0 * rounding {
+        // Not `<=`: far out both may be infinite.
+        if value.abs() < 2.0 * rounding || value == 0.0 {
             u -= if last { step } else { 0.0 };
             break;
         }

@@ -1,0 +1,199 @@
+//! What is a profile, what is not and why, and what the exact ones are.
+
+use embedded_lathe::{End, Lathe, Part, Profile, ProfileError, Ray, RayError, Segment, valid};
+
+const KNOTS: [f32; 3] = [0.0, 0.4, 1.0];
+const ORDINATES: [f32; 7] = [0.1, 0.2, 0.3, 0.2, 0.1, 0.1, 0.4];
+
+fn profile(knots: &[f32], ordinates: &[f32]) -> Result<Profile<4>, ProfileError> {
+    Profile::new(knots, ordinates)
+}
+
+fn with(numbers: &[f32], at: usize, number: f32) -> Vec<f32> {
+    let mut numbers = numbers.to_vec();
+    numbers[at] = number;
+    numbers
+}
+
+#[test]
+fn a_wrong_profile_names_the_culprit() {
+    use ProfileError::*;
+    assert!(profile(&KNOTS, &ORDINATES).is_ok());
+    assert_eq!(profile(&[], &[]), Err(NoSegments));
+    assert_eq!(profile(&[1.0], &[1.0]), Err(NoSegments));
+    assert_eq!(profile(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], &[1.0; 16]), Err(TooManySegments { segments: 5 }));
+    assert_eq!(profile(&KNOTS, &ORDINATES[..6]), Err(OrdinateCount { expected: 7, found: 6 }));
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for knot in 0..3 {
+            assert_eq!(profile(&with(&KNOTS, knot, bad), &ORDINATES), Err(KnotNotFinite { knot }));
+        }
+        for point in 0..7 {
+            assert_eq!(profile(&KNOTS, &with(&ORDINATES, point, bad)), Err(OrdinateNotFinite { point }));
+        }
+    }
+    assert_eq!(profile(&[0.0, 0.0, 1.0], &ORDINATES), Err(KnotsNotIncreasing { knot: 1 }));
+    assert_eq!(profile(&[0.0, 0.4, 0.3], &ORDINATES), Err(KnotsNotIncreasing { knot: 2 }));
+    assert_eq!(profile(&[0.0, 1e-40, 1.0], &ORDINATES), Err(KnotsNotIncreasing { knot: 1 }));
+    assert_eq!(profile(&[f32::MIN, 0.0, f32::MAX], &ORDINATES), Err(Height));
+    assert_eq!(profile(&[0.0, 1.0, 1e11], &ORDINATES), Err(Height));
+    assert_eq!(profile(&KNOTS, &[0.0; 7]), Err(Size));
+    assert_eq!(profile(&KNOTS, &[1e31; 7]), Err(Size));
+    for k in [-0.1, 1.1, f32::NAN, f32::INFINITY] {
+        assert_eq!(profile(&KNOTS, &ORDINATES).unwrap().squash(k), Err(Squash));
+    }
+}
+
+#[test]
+fn a_squared_radius_may_touch_zero_but_not_pass_it() {
+    // At an end, and only between the ends, in either segment.
+    assert_eq!(profile(&KNOTS, &with(&ORDINATES, 0, -0.01)), Err(ProfileError::Negative { segment: 0 }));
+    assert_eq!(profile(&KNOTS, &with(&ORDINATES, 1, -0.4)), Err(ProfileError::Negative { segment: 0 }));
+    assert_eq!(profile(&KNOTS, &with(&ORDINATES, 5, -0.4)), Err(ProfileError::Negative { segment: 1 }));
+    // A negative ordinate alone does not make a negative radius.
+    assert!(profile(&KNOTS, &with(&ORDINATES, 1, -0.05)).is_ok());
+    // (1 − 2u)² touches zero at 1/2; scaled by numbers that round.
+    for scale in [1.0, 0.1, 3.3, 1e-18, 1e18] {
+        let touching = [1.0, -1.0 / 3.0, -1.0 / 3.0, 1.0].map(|b: f32| b * scale);
+        assert!(profile(&[0.0, 1.0], &touching).is_ok(), "{scale}");
+        let mut below = touching;
+        below[1] -= 1e-5 * scale;
+        assert_eq!(profile(&[0.0, 1.0], &below), Err(ProfileError::Negative { segment: 0 }), "{scale}");
+    }
+}
+
+#[test]
+fn a_message_reads_well() {
+    let error = profile(&[0.0, 0.4, 0.3], &ORDINATES).unwrap_err();
+    assert_eq!(error.to_string(), "not above the knot before it: knot 2");
+    assert_eq!(
+        profile(&KNOTS, &ORDINATES[..6]).unwrap_err().to_string(),
+        "the number of ordinates is not 3 a segment and 1 more: it should be 7"
+    );
+}
+
+/// Many segments, known at run time only, and room to spare.
+#[test]
+fn as_many_segments_as_are_known_at_run_time() {
+    for segments in 1..=64_usize {
+        let knots: heapless::Vec<f32, 65> = (0..=segments).map(|i| i as f32 / segments as f32).collect();
+        let ordinates: heapless::Vec<f32, 193> = (0..=3 * segments).map(|_| 1.0).collect();
+        let profile = Profile::<64>::new(&knots, &ordinates).unwrap();
+        assert_eq!(profile.segments(), segments);
+        let lathe = Lathe::turn(profile);
+        let hit = lathe.nearest(&Ray::new([0.0, -3.0, 0.999], [0.0, 1.0, 0.0]).unwrap(), 0.0).unwrap();
+        assert_eq!((hit.t, hit.segment), (2.0, segments - 1));
+    }
+}
+
+/// Where a ray along +y at height z and abscissa x first meets a lathe.
+fn y_at(lathe: &Lathe, x: f32, z: f32) -> Option<f32> {
+    let ray = Ray::new([x, -8.0, z], [0.0, 1.0, 0.0]).unwrap();
+    lathe.nearest(&ray, 0.0).map(|hit| hit.t - 8.0)
+}
+
+/// The radius of each, by its equation, in f64.
+#[test]
+fn the_exact_profiles_are_exact() {
+    type Radius = fn(f64) -> f64;
+    static LATHES: [(Lathe<[Segment; 1]>, f32, f32, Radius); 7] = [
+        (Lathe::turn(valid!(Profile::cylinder(1.5, 2.0))), 0.0, 2.0, |_| 1.5),
+        (Lathe::turn(valid!(Profile::cone(1.5, 2.0))), 0.0, 2.0, |z| 1.5 * (1.0 - z / 2.0)),
+        (Lathe::turn(valid!(Profile::frustum(1.5, 0.5, 2.0))), 0.0, 2.0, |z| 1.5 - z / 2.0),
+        (Lathe::turn(valid!(Profile::sphere(1.5))), -1.5, 1.5, |z| (2.25 - z * z).sqrt()),
+        (Lathe::turn(valid!(Profile::spheroid(1.5, 0.75))), -0.75, 0.75, |z| (2.25 - 4.0 * z * z).sqrt()),
+        (Lathe::turn(valid!(Profile::paraboloid(1.5, 2.0))), 0.0, 2.0, |z| 1.5 * (z / 2.0).sqrt()),
+        (Lathe::turn(valid!(Profile::hyperboloid(0.5, 1.5, 1.0))), -1.0, 1.0, |z| {
+            (0.25 + 2.0 * z * z).sqrt()
+        }),
+    ];
+    for (i, (lathe, low, high, radius)) in LATHES.iter().enumerate() {
+        for step in 1..100 {
+            let z = low + (high - low) * step as f32 / 100.0;
+            let r = radius(z.into());
+            let y = f64::from(y_at(lathe, 0.0, z).expect("the ray meets the axis"));
+            // 4 units of size + distance, as for every hit; incidence as steep as the profile is, cos ≥ r/√(r² + (r·r′)²), r·r′ ≤ 2.
+            let cos = r / r.hypot(2.0);
+            let bound = 4.0 * (3.0 + 8.0) / 16_777_216.0 / cos;
+            assert!((y + r).abs() <= bound, "{i} at {z}: {} instead of {r}, bound {bound:e}", -y);
+        }
+    }
+}
+
+#[test]
+fn ends_are_open_or_capped() {
+    let closed = Lathe::turn(Profile::cylinder(1.0, 2.0).unwrap());
+    let open = Lathe::turn(Profile::cylinder(1.0, 2.0).unwrap().base(End::Open).top(End::Open));
+    let cup = Lathe::turn(Profile::cylinder(1.0, 2.0).unwrap().top(End::Open));
+    let down = Ray::new([0.3, 0.2, 5.0], [0.0, 0.0, -1.0]).unwrap();
+    let parts = |lathe: &Lathe<[Segment; 1]>| -> Vec<(Part, bool, f32)> {
+        lathe.hits::<5>(&down, 0.0).iter().map(|hit| (hit.part, hit.enters, hit.t)).collect()
+    };
+    assert_eq!(parts(&closed), [(Part::Top, true, 3.0), (Part::Base, false, 5.0)]);
+    assert_eq!(parts(&open), []);
+    assert_eq!(parts(&cup), [(Part::Base, false, 5.0)]);
+    // Through the opening at a slant, onto the wall from within.
+    let slant = Ray::new([0.0, 0.0, 3.0], [0.6, 0.0, -1.0]).unwrap();
+    let hit = cup.nearest(&slant, 0.0).unwrap();
+    assert!(!hit.enters && hit.part == Part::Wall);
+}
+
+#[test]
+fn a_ray_needs_numbers_and_a_direction() {
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for i in 0..3 {
+            let mut v = [1.0; 3];
+            v[i] = bad;
+            assert_eq!(Ray::new(v, [1.0; 3]), Err(RayError::NotFinite));
+            assert_eq!(Ray::new([1.0; 3], v), Err(RayError::NotFinite));
+        }
+    }
+    assert_eq!(Ray::new([1.0; 3], [0.0, -0.0, 0.0]), Err(RayError::NoDirection));
+    assert_eq!(Ray::new([1.0; 3], [1e-40, 0.0, 0.0]), Err(RayError::NoDirection));
+    let ball = Lathe::turn(Profile::sphere(1.0).unwrap());
+    let ray = Ray::new([0.0, -3.0, 0.0], [0.0, 1.0, 0.0]).unwrap();
+    assert_eq!(ball.nearest(&ray, f32::NAN), None, "beyond nothing");
+    assert_eq!(ball.nearest(&ray, f32::INFINITY), None);
+    assert_eq!(ball.nearest(&ray, f32::NEG_INFINITY).unwrap().t, 2.0);
+    assert_eq!(ball.nearest(&ray, 2.0).unwrap().t, 4.0, "beyond, not at");
+    assert!(!ball.nearest(&ray, 3.0).unwrap().enters);
+}
+
+/// The same scene at any scale of solid and of direction: t is the distance over the direction's length.
+#[test]
+fn scale_does_not_matter() {
+    for solid in [-40, -20, 0, 20, 40] {
+        let size = 2_f32.powi(solid);
+        let profile = Profile::<1>::new(&[0.0, size], &[0.5, 0.7, 0.2, 0.4].map(|b: f32| b * size * size));
+        let lathe = Lathe::turn(profile.unwrap().closed());
+        for direction in [-60, -3, 0, 3, 60] {
+            let length = 2_f32.powi(direction);
+            let origin = [0.2, -3.0, 0.3].map(|c: f32| c * size);
+            let ray = Ray::new(origin, [0.1, 1.0, 0.05].map(|c: f32| c * length)).unwrap();
+            let hit = lathe.nearest(&ray, 0.0).unwrap();
+            let unit = Lathe::turn(Profile::<1>::new(&[0.0, 1.0], &[0.5, 0.7, 0.2, 0.4]).unwrap().closed());
+            let same = unit.nearest(&Ray::new([0.2, -3.0, 0.3], [0.1, 1.0, 0.05]).unwrap(), 0.0).unwrap();
+            // Powers of two: the very same bits.
+            assert_eq!((hit.t * length / size, hit.u), (same.t, same.u), "2^{solid}, 2^{direction}");
+        }
+    }
+}
+
+/// Any bits of a ray: a clear answer, nothing NaN.
+#[test]
+fn any_bits_of_a_ray_will_do() {
+    use rand::{Rng, SeedableRng};
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(42);
+    let lathe = Lathe::turn(profile(&KNOTS, &ORDINATES).unwrap().squash(0.3).unwrap().closed());
+    let mut met = 0;
+    for _ in 0..500_000 {
+        let [ox, oy, oz, dx, dy, dz, t_min] = [(); 7].map(|()| f32::from_bits(rng.next_u32()));
+        let Ok(ray) = Ray::new([ox, oy, oz], [dx, dy, dz]) else { continue };
+        for hit in lathe.hits::<14>(&ray, t_min) {
+            met += 1;
+            assert!(hit.t > t_min && (0.0..=1.0).contains(&hit.u), "{ray:?} {hit:?}");
+            let normal = lathe.surface(&ray, &hit).normal;
+            assert!((normal.x * normal.x + normal.y * normal.y + normal.z * normal.z - 1.0).abs() < 1e-6);
+        }
+    }
+    assert!(met > 100, "{met}");
+}

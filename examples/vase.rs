@@ -24,7 +24,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The scene in characters, from a blank for dark to @ for light: two rows of pixels a line, since characters are tall.
+/// The scene in characters, from a blank for dark to @ for light: two rows of pixels a line, since characters
+/// are tall.
 #[cfg(not(target_os = "none"))]
 fn preview(scene: &embedded_lathe::Scene) {
     use embedded_graphics::{pixelcolor::Gray8, prelude::*};

@@ -6,8 +6,8 @@ use crate::vector::{F32x3, cross, difference, scale, unit, vector};
 
 /// A camera: perspective or orthographic.
 ///
-/// Pixels are square. The picture's half-width is given; its half-height follows from the number of pixels. Column 0 is on the left, row 0
-/// at the top, and rays pass through the pixels' centres.
+/// Pixels are square. The picture's half-width is given; its half-height follows from the number of pixels.
+/// Column 0 is on the left, row 0 at the top, and rays pass through the pixels' centres.
 ///
 /// ```
 /// use embedded_lathe::{Camera, valid};
@@ -39,12 +39,13 @@ pub(crate) enum Projection {
 }
 
 impl Camera {
-    /// Rays from `eye`; `half_width` is that of the picture at unit distance, the tangent of half the angle of view.
+    /// Rays from `eye`; `half_width` is that of the picture at unit distance, the tangent of half the angle
+    /// of view.
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if the eye is where it looks at, `up` is zero or along the view, the half-width not between 10⁻⁶ and
-    /// 1 000, or a number not finite.
+    /// [`SceneError`] if the eye is where it looks at, `up` is zero or along the view, the half-width not
+    /// between 10⁻⁶ and 1 000, or a number not finite.
     pub const fn perspective(
         eye: [f32; 3],
         look_at: [f32; 3],
@@ -57,7 +58,8 @@ impl Camera {
         Self::new(eye, look_at, up, half_width, Projection::Perspective)
     }
 
-    /// Parallel rays; `half_width` is that of the picture, in the world's unit. What is behind the eye's plane is not seen.
+    /// Parallel rays; `half_width` is that of the picture, in the world's unit. What is behind the eye's
+    /// plane is not seen.
     ///
     /// # Errors
     ///

@@ -1,6 +1,7 @@
 //! Colours as the renderer reckons with them.
 
-/// A colour as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is gamma-corrected.
+/// A colour as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
+/// gamma-corrected.
 ///
 /// ```
 /// use embedded_lathe::Rgb;
@@ -58,7 +59,8 @@ impl Rgb {
 
 /// A colour that a picture can be painted in.
 ///
-/// Implemented for [`Rgb`] and for the colours of embedded-graphics, those of few shades by ordered dithering.
+/// Implemented for [`Rgb`] and for the colours of embedded-graphics, those of few shades by ordered
+/// dithering.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};

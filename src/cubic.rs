@@ -26,8 +26,8 @@ impl Cubic {
         Self { c }
     }
 
-    /// From Bernstein ordinates over [0, 1]: `Σ bⱼ·(3 over j)·(1 − u)³⁻ʲ·uʲ`. Each coefficient is within
-    /// 6 roundings of the largest ordinate.
+    /// From Bernstein ordinates over [0, 1]: `Σ bⱼ·(3 over j)·(1 − u)³⁻ʲ·uʲ`. Each coefficient is within 6
+    /// roundings of the largest ordinate.
     pub const fn from_bernstein(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
         let d1 = b1 - b0;
@@ -35,7 +35,8 @@ impl Cubic {
         Self { c: [b0, 3.0 * d1, 3.0 * (d2 - d1), (b3 - b0) - 3.0 * d2] }
     }
 
-    /// The value at u, by Horner's rule: 3 multiplications, 3 additions, off by at most 6 units of 2⁻²⁴ of `Σ |cⱼ·uʲ|`.
+    /// The value at u, by Horner's rule: 3 multiplications, 3 additions, off by at most 6 units of 2⁻²⁴ of
+    /// `Σ |cⱼ·uʲ|`.
     #[inline(always)]
     pub const fn at(&self, u: f32) -> f32 {
         let [c0, c1, c2, c3] = self.c;

@@ -16,8 +16,8 @@ use embedded_graphics_core::{
 };
 
 impl Scene<'_> {
-    /// Draws the scene over the whole display, in one [`fill_contiguous`](DrawTarget::fill_contiguous) over pixels that are reckoned as the display
-    /// takes them. No framebuffer is needed.
+    /// Draws the scene over the whole display, in one [`fill_contiguous`](DrawTarget::fill_contiguous) over
+    /// pixels that are reckoned as the display takes them. No framebuffer is needed.
     ///
     /// # Errors
     ///

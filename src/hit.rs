@@ -2,8 +2,8 @@
 
 /// A crossing of a ray and the surface of a solid.
 ///
-/// What is seen of it (the point, the normal) is [`Lathe::surface`](crate::Lathe::surface)'s to say: most hits are
-/// not seen.
+/// What is seen of it (the point, the normal) is [`Lathe::surface`](crate::Lathe::surface)'s to say: most
+/// hits are not seen.
 ///
 /// ```
 /// use embedded_lathe::{Lathe, Part, Profile, Ray, valid};

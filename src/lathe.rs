@@ -7,12 +7,12 @@
 //!        own frame     and cylinder                     sign         itself
 //! ```
 //!
-//! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so along a chord g is a
-//! cubic, and because the chord is cut to the segment's own slab and cylinder before the cubic is formed, every number in it has the size of the
-//! segment, whatever the ray's origin or slope.
+//! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so
+//! along a chord g is a cubic, and because the chord is cut to the segment's own slab and cylinder before the
+//! cubic is formed, every number in it has the size of the segment, whatever the ray's origin or slope.
 //!
-//! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and where it starts is known; so a crossing can be
-//! found a rounding early or late at a join, not lost there.
+//! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and
+//! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
 
 mod chord;
 mod path;
@@ -32,8 +32,9 @@ use segment::{power_of_two_for, widened};
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
 ///
-/// `Lathe<[Segment; N]>` owns the segments of a [`Profile<N>`](Profile) and can be a `static`, in flash. A scene takes `&Lathe`, of any number of
-/// segments: a reference to the one becomes a reference to the other by itself.
+/// `Lathe<[Segment; N]>` owns the segments of a [`Profile<N>`](Profile) and can be a `static`, in flash. A
+/// scene takes `&Lathe`, of any number of segments: a reference to the one becomes a reference to the other
+/// by itself.
 ///
 /// ```
 /// use embedded_lathe::{Lathe, Profile, Ray, Segment, valid};
@@ -68,7 +69,8 @@ struct Frame {
     len: usize,
     squash: f32,
     root_squash: f32,
-    /// A power of two: lengths in the frame are lengths in object space times it. It brings the largest squared radius into [1, 4).
+    /// A power of two: lengths in the frame are lengths in object space times it. It brings the largest
+    /// squared radius into [1, 4).
     scale: f32,
     /// The height in object space of the frame's origin.
     middle: f32,
@@ -77,7 +79,8 @@ struct Frame {
     high: f32,
     /// The square of the bounding cylinder's radius, in the frame.
     reach: f32,
-    /// What part of the surface the plane of the lower end holds: nothing if it is open, and the wall itself where that closes to a point.
+    /// What part of the surface the plane of the lower end holds: nothing if it is open, and the wall itself
+    /// where that closes to a point.
     base: Option<Part>,
     /// The same of the upper end.
     top: Option<Part>,
@@ -125,8 +128,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
 
     /// All crossings beyond `t_min`, in order.
     ///
-    /// A segment is met at most three times and either cap once: the capacity C must be at least 3·N + 2, which is checked at compile time,
-    /// and cannot overflow.
+    /// A segment is met at most three times and either cap once: the capacity C must be at least 3·N + 2,
+    /// which is checked at compile time, and cannot overflow.
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         self.hits_by::<DefaultSolver, C>(ray, t_min)
     }
@@ -191,7 +194,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
     /// The nearest crossing beyond `t_min`, if any: t > t_min.
     ///
-    /// A ray from inside, or through an open end, meets the wall from within: the hit leaves. A ray that lies in the plane of a cap meets its rim.
+    /// A ray from inside, or through an open end, meets the wall from within: the hit leaves. A ray that lies
+    /// in the plane of a cap meets its rim.
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         self.nearest_by::<DefaultSolver>(ray, t_min)
     }
@@ -204,7 +208,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         })
     }
 
-    /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends often answer without a root.
+    /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends
+    /// often answer without a root.
     pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
         self.is_hit_by::<DefaultSolver>(ray, t_min)
     }

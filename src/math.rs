@@ -1,16 +1,17 @@
 //! The functions that `core` lacks, from three libraries: the one place that names them.
 //!
-//! Each backend is a zero-sized type, so that all of them can stand in one binary and a test can put one beside another.
+//! Each backend is a zero-sized type, so that all of them can stand in one binary and a test can put one
+//! beside another.
 //!
 //! | backend | `sqrt` | `cbrt`, `acos`, `cos` |
 //! |---|---|---|
 //! | [`Native`] | correctly rounded: the hardware's root where there is one | as [`Libm`] |
 //! | [`Libm`] | correctly rounded, integer arithmetic | within a unit in the last place |
 //! | [`Micromath`] | within 2 units, from micromath's seed | rough: 3 %, 0.03 rad, 0.002 |
-//! | [`Std`] (feature `std`) | correctly rounded | the platform's |
+//! | `Std` (feature `std`) | correctly rounded | the platform's |
 //!
-//! A root rounds the same way wherever it is correctly rounded, so [`Native`], [`Libm`] and [`Std`] give the same bits
-//! wherever only `sqrt` is asked for. That is all the renderer asks for.
+//! A root rounds the same way wherever it is correctly rounded, so [`Native`], [`Libm`] and `Std` give the
+//! same bits wherever only `sqrt` is asked for. That is all the renderer asks for.
 
 pub(crate) mod constant;
 mod libm;

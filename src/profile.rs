@@ -9,7 +9,8 @@ pub use error::ProfileError;
 use crate::math::constant;
 use extremes::Extremes;
 
-/// One cubic piece of a profile: between the heights z and z + h, at `z + h·u`, the squared radius is `Σ bⱼ·Bⱼ³(u)`.
+/// One cubic piece of a profile: between the heights z and z + h, at `z + h·u`, the squared radius is
+/// `Σ bⱼ·Bⱼ³(u)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Span {
@@ -76,19 +77,22 @@ pub struct Profile<const N: usize> {
     pub(crate) top: End,
 }
 
-/// How many times the largest radius a profile may be high, and a segment of it low: cubes of these are still numbers.
+/// How many times the largest radius a profile may be high, and a segment of it low: cubes of these are still
+/// numbers.
 const MOST: f32 = 1e10;
 
 impl<const N: usize> Profile<N> {
-    /// A round profile, open at both ends, from its knots (heights, n + 1 of them, increasing) and ordinates (squared radii, 3·n + 1 of
-    /// them: Bézier control values, the joins' shared), in one unit of length and its square. n may be anything from 1 to N.
+    /// A round profile, open at both ends, from its knots (heights, n + 1 of them, increasing) and ordinates
+    /// (squared radii, 3·n + 1 of them: Bézier control values, the joins' shared), in one unit of length and
+    /// its square. n may be anything from 1 to N.
     ///
     /// Cost: about 100 operations a segment, once; none at run time in a `const`.
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], which names the knot, the ordinate or the segment at fault. A squared radius may touch zero but not pass below it, by more than
-    /// the rounding of its own evaluation, 8 units of 2⁻²⁴ of the segment's largest ordinate.
+    /// [`ProfileError`], which names the knot, the ordinate or the segment at fault. A squared radius may
+    /// touch zero but not pass below it, by more than the rounding of its own evaluation, 8 units of 2⁻²⁴ of
+    /// the segment's largest ordinate.
     pub const fn new(knots: &[f32], ordinates: &[f32]) -> Result<Self, ProfileError> {
         if knots.len() < 2 {
             return Err(ProfileError::NoSegments);
@@ -148,8 +152,8 @@ impl<const N: usize> Profile<N> {
         Ok(Self { spans, len, squash: 1.0, base: End::Open, top: End::Open })
     }
 
-    /// Stretched along x: `k·x² + y²` instead of `x² + y²`. One is round, between is elliptic (the half-axis along x is r/√k), zero a sheet without end
-    /// along x.
+    /// Stretched along x: `k·x² + y²` instead of `x² + y²`. One is round, between is elliptic (the half-axis
+    /// along x is r/√k), zero a sheet without end along x.
     ///
     /// # Errors
     ///

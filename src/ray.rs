@@ -3,7 +3,8 @@
 use crate::vector::{F32x3, finite, to_one, vector};
 use core::fmt;
 
-/// The points `origin + t·direction`. The direction need not be a unit vector: t counts in units of the one given.
+/// The points `origin + t·direction`. The direction need not be a unit vector: t counts in units of the one
+/// given.
 ///
 /// ```
 /// use embedded_lathe::{Ray, RayError};
@@ -27,7 +28,8 @@ impl Ray {
     ///
     /// # Errors
     ///
-    /// [`RayError`] if a number is not finite, or the direction's largest component is smaller than the least normal number, 1.2·10⁻³⁸.
+    /// [`RayError`] if a number is not finite, or the direction's largest component is smaller than the least
+    /// normal number, 1.2·10⁻³⁸.
     pub const fn new(origin: [f32; 3], direction: [f32; 3]) -> Result<Self, RayError> {
         let (origin, direction) = (vector(origin), vector(direction));
         if !(finite(origin) && finite(direction)) {

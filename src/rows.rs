@@ -1,4 +1,5 @@
-//! From a scene to rows of pixels: as many as the caller asks for, where the caller wants them. Nothing else is kept.
+//! From a scene to rows of pixels: as many as the caller asks for, where the caller wants them. Nothing else
+//! is kept.
 
 use crate::camera::Projection;
 use crate::color::{Paint, Rgb};
@@ -7,7 +8,8 @@ use crate::solid::Rays;
 use crate::vector::F32x3;
 use core::num::NonZeroU32;
 
-/// How many pixels of a row are reckoned at once: what is common to them is found once, and their depths are kept until all solids have been seen.
+/// How many pixels of a row are reckoned at once: what is common to them is found once, and their depths are
+/// kept until all solids have been seen.
 const RUN: usize = 32;
 
 /// A scene as a picture of so many pixels: reckoned row by row, or pixel by pixel, when asked.
@@ -50,7 +52,8 @@ impl Picture<'_> {
         self.height
     }
 
-    /// The pixels of row y, counted from the top, into `row` from its start: as many as the picture is wide, or as `row` is long.
+    /// The pixels of row y, counted from the top, into `row` from its start: as many as the picture is wide,
+    /// or as `row` is long.
     pub fn row<C: Paint>(&self, y: u32, row: &mut [C]) {
         self.part_of_row(0, y, row);
     }
@@ -117,7 +120,8 @@ impl Picture<'_> {
     }
 }
 
-/// The pixels of a rectangle of a picture, in the order a display takes them. One run is kept; skipping costs what one run costs.
+/// The pixels of a rectangle of a picture, in the order a display takes them. One run is kept; skipping costs
+/// what one run costs.
 pub(crate) struct Pixels<'a, C> {
     picture: &'a Picture<'a>,
     left: u32,

@@ -68,7 +68,8 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The solid as seen along rays that change evenly: the first and the change from one to the next, brought into object space once for all of them.
+    /// The solid as seen along rays that change evenly: the first and the change from one to the next,
+    /// brought into object space once for all of them.
     pub(crate) fn seen_along(&self, rays: &Rays, light: &Light) -> Seen<'a> {
         let (pose, back) = (&self.pose, |v| self.pose.rotation.back(v));
         Seen {

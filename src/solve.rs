@@ -2,8 +2,9 @@
 //!
 //! Every method here answers in the same three steps, and only the second differs:
 //!
-//! 1. **Split.** The interval is cut at the cubic's turning points into at most three monotone [`Piece`]s. The signs of
-//!    the cubic at the cuts say which pieces hold a root: exactly one each. ([`Piece`], in `pieces.rs`.)
+//! 1. **Split.** The interval is cut at the cubic's turning points into at most three monotone [`Piece`]s.
+//!    The signs of the cubic at the cuts say which pieces hold a root: exactly one each. ([`Piece`], in
+//!    `pieces.rs`.)
 //! 2. **Seed.** A closed form says about where: that is the [`Solver`].
 //! 3. **Refine.** Newton's method, held between the ends of the piece, brings the seed to the accuracy of the
 //!    coefficients. A poor seed costs time, never the answer. (`refine.rs`.)
@@ -15,11 +16,11 @@
 //!
 //! # Promise
 //!
-//! The root returned is exact for a cubic whose coefficients differ from the given ones by at most [`BACKWARD_ERROR`]
-//! units of 2⁻²⁴ each, relative, and so is the claim that there is none before it. Two roots closer than that can tell
-//! apart may be reported or missed together. Leading coefficients may vanish, and the scale of the coefficients does not
-//! matter; what does not count is a term `cⱼ·uʲ` below 2⁻¹²⁶ of the largest coefficient. Coefficients that are not finite
-//! have no roots.
+//! The root returned is exact for a cubic whose coefficients differ from the given ones by at most
+//! [`BACKWARD_ERROR`] units of 2⁻²⁴ each, relative, and so is the claim that there is none before it. Two
+//! roots closer than that can tell apart may be reported or missed together. Leading coefficients may vanish,
+//! and the scale of the coefficients does not matter; what does not count is a term `cⱼ·uʲ` below 2⁻¹²⁶ of
+//! the largest coefficient. Coefficients that are not finite have no roots.
 
 mod cardano;
 mod pieces;
@@ -56,8 +57,8 @@ pub trait Solver {
     /// The mathematics that the solver's functions come from.
     type Math: Math;
 
-    /// About where the root of `g` in `piece` lies. Anything is allowed, NaN too: what lies outside the piece is replaced by
-    /// its middle.
+    /// About where the root of `g` in `piece` lies. Anything is allowed, NaN too: what lies outside the piece
+    /// is replaced by its middle.
     fn seed(g: &Cubic, piece: &Piece) -> f32;
 }
 
@@ -67,14 +68,14 @@ pub type DefaultSolver = Split<Native>;
 impl Cubic {
     /// The smallest root in [lo, hi], by the crate's default method.
     ///
-    /// `None` where there is none, where a coefficient is not finite, and where not lo ≤ hi. Infinite ends stand for
-    /// the largest numbers. The zero polynomial vanishes first at lo.
+    /// `None` where there is none, where a coefficient is not finite, and where not lo ≤ hi. Infinite ends
+    /// stand for the largest numbers. The zero polynomial vanishes first at lo.
     pub fn first_root(&self, lo: f32, hi: f32) -> Option<f32> {
         self.first_root_by::<DefaultSolver>(lo, hi)
     }
 
-    /// The roots in [lo, hi] in ascending order, by the crate's default method: at most three, a double root as two that are equal
-    /// or not at all, as rounding decides.
+    /// The roots in [lo, hi] in ascending order, by the crate's default method: at most three, a double root
+    /// as two that are equal or not at all, as rounding decides.
     ///
     /// ```
     /// use embedded_lathe::Cubic;
@@ -116,7 +117,8 @@ impl Cubic {
         roots
     }
 
-    /// The cubic scaled by a power of two, so that its largest coefficient lies in [1, 4), and the interval made finite.
+    /// The cubic scaled by a power of two, so that its largest coefficient lies in [1, 4), and the interval
+    /// made finite.
     fn within(&self, lo: f32, hi: f32) -> Option<(Self, f32, f32)> {
         let [c0, c1, c2, c3] = self.c;
         let largest = c0.abs().max(c1.abs()).max(c2.abs()).max(c3.abs());
@@ -130,7 +132,8 @@ impl Cubic {
     }
 }
 
-/// Two powers of two whose product brings `largest` into [1, 4): one to lift subnormal numbers, one to do the rest.
+/// Two powers of two whose product brings `largest` into [1, 4): one to lift subnormal numbers, one to do the
+/// rest.
 fn to_one(largest: f32) -> [f32; 2] {
     let lift = if largest < f32::MIN_POSITIVE { 16_777_216.0 } else { 1.0 };
     let exponent = (largest * lift).to_bits() >> 23;

@@ -23,7 +23,8 @@ use crate::vector::{F32x3, Vector, largest, vector};
 pub struct Surface {
     /// The point, in the ray's space.
     pub point: F32x3,
-    /// The unit normal, out of the solid. At a pole that comes to a point, where there is none, along the axis.
+    /// The unit normal, out of the solid. At a pole that comes to a point, where there is none, along the
+    /// axis.
     pub normal: F32x3,
 }
 
@@ -45,14 +46,16 @@ impl defmt::Format for Surface {
 }
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
-    /// The point and the normal of a hit of this lathe by that ray. Cost: one root, one division, about 50 other operations.
+    /// The point and the normal of a hit of this lathe by that ray. Cost: one root, one division, about 50
+    /// other operations.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let point = ray.at(hit.t);
         let normal = unit(self.gradient(point, hit)).unwrap_or(self.pole(hit));
         Surface { point, normal }
     }
 
-    /// A vector along the outward normal at a point of the surface: `(2k·x, 2y, −f′(u)/h)` on the wall, half of it in the lathe's frame.
+    /// A vector along the outward normal at a point of the surface: `(2k·x, 2y, −f′(u)/h)` on the wall, half
+    /// of it in the lathe's frame.
     #[inline(always)]
     pub(crate) fn gradient(&self, point: F32x3, hit: &Hit) -> F32x3 {
         let (scale, squash) = self.proportions();
@@ -72,7 +75,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
 /// The unit vector along `v`, if it has a direction.
 ///
-/// Lengths in a lathe's frame are near one, but a very flat or very tall profile's are not: those are brought there first.
+/// Lengths in a lathe's frame are near one, but a very flat or very tall profile's are not: those are brought
+/// there first.
 #[inline(always)]
 pub(crate) fn unit(v: F32x3) -> Option<F32x3> {
     const FAR: f32 = 1e12;

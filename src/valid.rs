@@ -17,8 +17,8 @@
 /// // error: evaluation panicked: not above the knot before it: knot 1
 /// ```
 ///
-/// It works for every error of this crate whose constructor is `const`: [`ProfileError`](crate::ProfileError),
-/// [`RayError`](crate::RayError), [`SceneError`](crate::SceneError).
+/// It works for every error of this crate whose constructor is `const`:
+/// [`ProfileError`](crate::ProfileError), [`RayError`](crate::RayError), [`SceneError`](crate::SceneError).
 #[macro_export]
 macro_rules! valid {
     ($result:expr) => {

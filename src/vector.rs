@@ -1,4 +1,5 @@
-//! Three components in object or world space: micromath's [`F32x3`], and the little of it that a `const` needs.
+//! Three components in object or world space: micromath's [`F32x3`], and the little of it that a `const`
+//! needs.
 
 pub use micromath::vector::{F32x3, Vector};
 
@@ -34,7 +35,8 @@ pub(crate) const fn largest(v: F32x3) -> f32 {
     v.x.abs().max(v.y.abs()).max(v.z.abs())
 }
 
-/// The vector times the power of two that brings its largest component into [1, 4), and that power. `None` if it is zero or not finite, or too small to be brought there by one power.
+/// The vector times the power of two that brings its largest component into [1, 4), and that power. `None` if
+/// it is zero or not finite, or too small to be brought there by one power.
 pub(crate) const fn to_one(v: F32x3) -> Option<(F32x3, f32)> {
     const SMALLEST: f32 = f32::MIN_POSITIVE;
     let size = largest(v);

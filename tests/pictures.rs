@@ -1,4 +1,5 @@
-//! From scenes to pixels: every way to them gives the same ones, and they are where the oracle sees the solids.
+//! From scenes to pixels: every way to them gives the same ones, and they are where the oracle sees the
+//! solids.
 
 mod cases;
 mod oracle;
@@ -175,7 +176,8 @@ fn the_oracle_sees_the_same_vase() {
             let towards = ray.at(1.0).to_array().map(f64::from);
             let direction = std::array::from_fn(|i| towards[i] - origin[i]);
             let ray = oracle::Ray { origin: turn(origin), direction: turn(direction), t_min: 0.0 };
-            // The direction is what is left of a sum of about 3, and is 3 long before it meets the vase; 4 units for the kernel's own, as for every hit.
+            // The direction is what is left of a sum of about 3, and is 3 long before it meets the vase; 4
+            // units for the kernel's own, as for every hit.
             let bands = oracle::bands(&shape, &ray, (3.0 * 3.0 + 4.0 * 4.0) / 16_777_216.0);
             if bands.complete {
                 sure += 1;
@@ -235,7 +237,8 @@ fn a_ball_in_sixteen_greys() {
     ]);
 }
 
-/// A grey of so much light, over 64 pixels of each display: its mean is the light, as near as the shades allow.
+/// A grey of so much light, over 64 pixels of each display: its mean is the light, as near as the shades
+/// allow.
 #[test]
 fn few_shades_are_dithered() {
     fn mean<C: Paint>(share: f32, light: impl Fn(C) -> f32) -> f32 {

@@ -111,7 +111,8 @@ fn the_exact_profiles_are_exact() {
             let z = low + (high - low) * step as f32 / 100.0;
             let r = radius(z.into());
             let y = f64::from(y_at(lathe, 0.0, z).expect("the ray meets the axis"));
-            // 4 units of size + distance, as for every hit; incidence as steep as the profile is, cos ≥ r/√(r² + (r·r′)²), r·r′ ≤ 2.
+            // 4 units of size + distance, as for every hit; incidence as steep as the profile is, cos ≥
+            // r/√(r² + (r·r′)²), r·r′ ≤ 2.
             let cos = r / r.hypot(2.0);
             let bound = 4.0 * (3.0 + 8.0) / 16_777_216.0 / cos;
             assert!((y + r).abs() <= bound, "{i} at {z}: {} instead of {r}, bound {bound:e}", -y);

@@ -1,8 +1,8 @@
 //! The cubic solvers over every backend, where cubics go wrong.
 //!
-//! An answer's *backward error* is the smallest relative change of the coefficients, in units of 2⁻²⁴, that makes it right: for a root u it is
-//! `|g(u)| / Σ |cⱼ·uʲ|`; for a claim that nothing comes before, the same at the deepest point where g has the other sign. Evaluated in f64, whose
-//! own rounding is 2⁻²⁹ of the unit.
+//! An answer's *backward error* is the smallest relative change of the coefficients, in units of 2⁻²⁴, that
+//! makes it right: for a root u it is `|g(u)| / Σ |cⱼ·uʲ|`; for a claim that nothing comes before, the same
+//! at the deepest point where g has the other sign. Evaluated in f64, whose own rounding is 2⁻²⁹ of the unit.
 
 use embedded_lathe::Cubic;
 use embedded_lathe::math::{Libm, Math, Micromath, Native, Std};
@@ -215,7 +215,8 @@ fn all_roots_are_found() {
     for i in 0..CUBICS {
         let mut roots = [even(&mut rng), even(&mut rng), even(&mut rng)];
         roots.sort_by(f64::total_cmp);
-        // Far enough apart that rounding the coefficients, 2⁻²⁴ of 8 at most, cannot make two meet: that needs a gap of √(8·2⁻²⁴) = 7·10⁻⁴.
+        // Far enough apart that rounding the coefficients, 2⁻²⁴ of 8 at most, cannot make two meet: that
+        // needs a gap of √(8·2⁻²⁴) = 7·10⁻⁴.
         if roots[1] - roots[0] < 1e-2 || roots[2] - roots[1] < 1e-2 {
             continue;
         }

@@ -1,4 +1,5 @@
-//! The reference scenes: every figure of speed and every reference picture names one of these. All of them are constants, in flash.
+//! The reference scenes: every figure of speed and every reference picture names one of these. All of them
+//! are constants, in flash.
 
 use core::f32::consts::PI;
 use embedded_lathe::{

@@ -1,4 +1,5 @@
-//! A display's colours. Those with 5 bits a channel or more take the nearest shade, those with fewer are dithered.
+//! A display's colours. Those with 5 bits a channel or more take the nearest shade, those with fewer are
+//! dithered.
 
 use super::dither::{dithered, nearest};
 use crate::color::{Paint, Rgb};

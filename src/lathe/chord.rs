@@ -23,15 +23,17 @@ pub(super) struct Chord<'a> {
 }
 
 impl<'a> Chord<'a> {
-    /// The chord between two of the path's t. `inside` is what is known where it begins: `None` for "see for yourself".
+    /// The chord between two of the path's t. `inside` is what is known where it begins: `None` for "see for
+    /// yourself".
     ///
     /// Taylor's formula about a point of the chord,
     ///
     /// `g = f(u) − (x² + y²) + s·(f′·κ − 2·(x·dx + y·dy)) + s²·(f″/2·κ² − q) + s³·f₃·κ³`, κ = du/ds = dz/h.
     ///
-    /// No division, whatever the slope; a horizontal ray has κ = 0. The point is the one nearest to the axis, where x² + y² is least, unless f and x² + y²
-    /// are less where the segment is narrowest, as they can be for a steep ray: so that by a pole or in a narrow neck
-    /// the coefficients are as small as the solid is there.
+    /// No division, whatever the slope; a horizontal ray has κ = 0. The point is the one nearest to the axis,
+    /// where x² + y² is least, unless f and x² + y² are less where the segment is narrowest, as they can be
+    /// for a steep ray: so that by a pole or in a narrow neck the coefficients are as small as the solid is
+    /// there.
     #[inline(always)]
     pub fn new(
         path: &'a Path,
@@ -72,7 +74,8 @@ impl<'a> Chord<'a> {
         }
     }
 
-    /// Whether the Bernstein ordinates of g over the chord have all the sign that it starts with: a certain miss, since g lies between them.
+    /// Whether the Bernstein ordinates of g over the chord have all the sign that it starts with: a certain
+    /// miss, since g lies between them.
     #[inline(always)]
     pub fn is_clear(&self) -> bool {
         let third = (self.to - self.from) * (1.0 / 3.0);

@@ -6,8 +6,9 @@ use crate::ray::Ray;
 use crate::solve::Solver;
 use core::ops::ControlFlow;
 
-/// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what follows has the size of the solid however far away
-/// the ray comes from. x is scaled by √k: there every lathe is round.
+/// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what
+/// follows has the size of the solid however far away the ray comes from. x is scaled by √k: there every
+/// lathe is round.
 pub(super) struct Path {
     pub x: f32,
     pub y: f32,
@@ -25,7 +26,8 @@ pub(super) struct Path {
     square: f32,
     /// Where the path's origin lies on the ray, in the path's t.
     shift: f32,
-    /// A distance along the ray, in units of its own direction, is a path's t (from the ray's origin) times this.
+    /// A distance along the ray, in units of its own direction, is a path's t (from the ray's origin) times
+    /// this.
     per_unit: f32,
 }
 
@@ -91,11 +93,11 @@ pub(super) enum Meeting<'a> {
     Chord(Chord<'a>),
 }
 
-/// Follows a ray through the slabs of a lathe's segments and reports what it comes upon beyond `t_min`, in order, until told to stop. The answer to
-/// a meeting is whether the ray is inside after it.
+/// Follows a ray through the slabs of a lathe's segments and reports what it comes upon beyond `t_min`, in
+/// order, until told to stop. The answer to a meeting is whether the ray is inside after it.
 ///
-/// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one) has an infinite t, or NaN, which `min` and
-/// `max` pass over: neither ray is a special case.
+/// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one)
+/// has an infinite t, or NaN, which `min` and `max` pass over: neither ray is a special case.
 #[inline(always)]
 pub(super) fn walk<S: Solver, B>(
     lathe: View<'_>,
@@ -127,7 +129,8 @@ pub(super) fn walk<S: Solver, B>(
         is_beyond(hit.t, t_min).then_some(hit)
     };
 
-    // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here, has g to tell.
+    // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here,
+    // has g to tell.
     let mut inside = (enter > first && enter > slab.near).then_some(false);
     let mut at = enter;
     for step in 0..segments.len() {
@@ -147,12 +150,13 @@ pub(super) fn walk<S: Solver, B>(
                 let known = if from > at { Some(false) } else { inside };
                 let chord = Chord::new(path, segment, index, [from, to], known, from > first);
                 after = chord.inside;
-                if known.is_none() && after && enter > first {
-                    if let Some(hit) = cap(enter, slab.up, true) {
-                        if let ControlFlow::Break(found) = meet(Meeting::Cap(hit)) {
-                            return Some(found);
-                        }
-                    }
+                if known.is_none()
+                    && after
+                    && enter > first
+                    && let Some(hit) = cap(enter, slab.up, true)
+                    && let ControlFlow::Break(found) = meet(Meeting::Cap(hit))
+                {
+                    return Some(found);
                 }
                 if !chord.is_clear() {
                     match meet(Meeting::Chord(chord)) {
@@ -170,12 +174,12 @@ pub(super) fn walk<S: Solver, B>(
             break;
         }
     }
-    if inside == Some(true) && leave == slab.far {
-        if let Some(hit) = cap(leave, !slab.up, false) {
-            if let ControlFlow::Break(found) = meet(Meeting::Cap(hit)) {
-                return Some(found);
-            }
-        }
+    if inside == Some(true)
+        && leave == slab.far
+        && let Some(hit) = cap(leave, !slab.up, false)
+        && let ControlFlow::Break(found) = meet(Meeting::Cap(hit))
+    {
+        return Some(found);
     }
     None
 }

@@ -1,6 +1,7 @@
 use crate::profile::Span;
 
-/// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn); its size is what a user needs to know.
+/// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn); its size is
+/// what a user needs to know.
 ///
 /// ```
 /// use embedded_lathe::Segment;
@@ -19,7 +20,8 @@ pub struct Segment {
     pub(super) b: [f32; 4],
     /// The height at which the segment is narrowest.
     pub(super) narrowest: f32,
-    /// The square of the radius of a cylinder around the segment, wide enough that a point on it is outside whatever rounding does.
+    /// The square of the radius of a cylinder around the segment, wide enough that a point on it is outside
+    /// whatever rounding does.
     pub(super) reach: f32,
 }
 
@@ -54,7 +56,8 @@ impl Segment {
         }
     }
 
-    /// The squared radius and its derivative by u, in Bernstein form, 0 ≤ u ≤ 1: exact to a few units of 2⁻²⁴ where no ordinate is negative.
+    /// The squared radius and its derivative by u, in Bernstein form, 0 ≤ u ≤ 1: exact to a few units of 2⁻²⁴
+    /// where no ordinate is negative.
     #[inline(always)]
     pub(super) fn at(&self, u: f32) -> (f32, f32) {
         let [b0, b1, b2, b3] = self.b;

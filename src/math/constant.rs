@@ -1,4 +1,5 @@
-//! A square root, a sine and a cosine that a `const` can call: `core` has none yet, and neither have the libraries.
+//! A square root, a sine and a cosine that a `const` can call: `core` has none yet, and neither have the
+//! libraries.
 //!
 //! For what is computed once, when a scene is made. Additions and multiplications in a fixed order, so the
 //! compiler, the host and the target find the same bits.
@@ -19,12 +20,13 @@ pub const fn sqrt(x: f32) -> f32 {
     y
 }
 
-/// Sine and cosine of an angle in radians, each within 2·10⁻⁷ for |angle| up to 1 000, NaN for one that is not finite.
+/// Sine and cosine of an angle in radians, each within 2·10⁻⁷ for |angle| up to 1 000, NaN for one that is
+/// not finite.
 ///
-/// The angle less the nearest multiple of π/2 (held in three parts, so that taking it off is exact; Cody and Waite 1980),
-/// then Taylor's series over [−π/4, π/4], whose first omitted terms are below 2·10⁻⁹.
+/// The angle less the nearest multiple of π/2 (held in three parts, so that taking it off is exact; Cody and
+/// Waite 1980), then Taylor's series over [−π/4, π/4], whose first omitted terms are below 2·10⁻⁹.
 pub const fn sin_cos(angle: f32) -> (f32, f32) {
-    const PARTS: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_789_9e-8];
+    const PARTS: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_79e-8];
     let quarters = (angle * core::f32::consts::FRAC_2_PI + if angle < 0.0 { -0.5 } else { 0.5 }) as i32;
     let n = quarters as f32;
     let r = ((angle - n * PARTS[0]) - n * PARTS[1]) - n * PARTS[2];

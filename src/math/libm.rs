@@ -2,7 +2,8 @@ use super::Math;
 
 /// The [libm](https://docs.rs/libm) crate: pure Rust, the same bits on every machine.
 ///
-/// Its `cbrt` and `cos` work in f64 inside, which costs more than a thousand instructions each on a Cortex-M4F.
+/// Its `cbrt` and `cos` work in f64 inside, which costs more than a thousand instructions each on a
+/// Cortex-M4F.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Libm;

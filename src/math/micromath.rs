@@ -4,7 +4,8 @@ use micromath::F32Ext;
 /// The [micromath](https://docs.rs/micromath) crate: small and fast, and off by a few percent.
 ///
 /// Its functions serve as seeds. The root is brought to full accuracy by three Newton steps on `1/√x`,
-/// `y ← y·(3/2 − x/2·y²)`, each of which squares the relative error: 3.5 %, 0.2 %, 5·10⁻⁶, rounding. It takes no division.
+/// `y ← y·(3/2 − x/2·y²)`, each of which squares the relative error: 3.5 %, 0.2 %, 5·10⁻⁶, rounding. It takes
+/// no division.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Micromath;
@@ -15,7 +16,7 @@ impl Math for Micromath {
         let (x, back) = if x < 1.0e-30 { (x * TWO_TO_48, TWO_TO_MINUS_24) } else { (x, 1.0) };
         if !(x > 0.0 && x < f32::INFINITY) {
             // ±0 and +∞ are their own roots; the rest has none.
-            return if x == 0.0 || x > 0.0 { x } else { f32::NAN };
+            return if x >= 0.0 { x } else { f32::NAN };
         }
         let half = 0.5 * x;
         let mut y = F32Ext::invsqrt(x);

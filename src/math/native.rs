@@ -35,7 +35,8 @@ impl Math for Native {
 #[allow(unsafe_code)]
 fn sqrt(x: f32) -> f32 {
     let root: u32;
-    // SAFETY: `eabihf` promises the unit; the three instructions touch a core register and `s0`, nothing else.
+    // SAFETY: `eabihf` promises the unit; the three instructions touch a core register and `s0`, nothing
+    // else.
     unsafe {
         core::arch::asm!(
             "vmov s0, {x}",

@@ -20,8 +20,8 @@ impl Profile<1> {
         Self::frustum(radius, 0.0, height)
     }
 
-    /// A frustum of a cone, `base` its radius at z = 0, `top` that at z = height. Radii of opposite
-    /// sign make a double cone.
+    /// A frustum of a cone, `base` its radius at z = 0, `top` that at z = height. Radii of opposite sign make
+    /// a double cone.
     ///
     /// # Errors
     ///
@@ -61,7 +61,8 @@ impl Profile<1> {
         Self::quadratic(0.0, height, [0.0, 0.5 * square, square])
     }
 
-    /// A hyperboloid of one sheet, like a cooling tower, `waist` its radius at z = 0, `rim` that at z = ±half_height.
+    /// A hyperboloid of one sheet, like a cooling tower, `waist` its radius at z = 0, `rim` that at z =
+    /// ±half_height.
     ///
     /// # Errors
     ///

@@ -10,18 +10,20 @@ pub(super) struct Extremes {
     pub largest: f32,
 }
 
-/// Of the largest ordinate: what de Casteljau's six interpolations, each rounded three times at most, can be off by, rounded up.
+/// Of the largest ordinate: what de Casteljau's six interpolations, each rounded three times at most, can be
+/// off by, rounded up.
 const ROUNDING: f32 = 8.0 / 16_777_216.0;
 
 impl Extremes {
-    /// Of `Σ bⱼ·Bⱼ³(u)`. The ends and the turning points, of which only those that the ordinates leave in doubt are looked for: a value between ends
-    /// lies within the ordinates' own range.
+    /// Of `Σ bⱼ·Bⱼ³(u)`. The ends and the turning points, of which only those that the ordinates leave in
+    /// doubt are looked for: a value between ends lies within the ordinates' own range.
     pub const fn of(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
         let size = b0.abs().max(b1.abs()).max(b2.abs()).max(b3.abs());
         let (mut least, mut narrowest) = if b0 <= b3 { (b0, 0.0) } else { (b3, 1.0) };
         let mut largest = b0.max(b3);
-        // Scaled, so that squares of differences neither over- nor underflow. The derivative is 3·(d0·(1−u)² + 2·d1·u(1−u) + d2·u²).
+        // Scaled, so that squares of differences neither over- nor underflow. The derivative is 3·(d0·(1−u)²
+        // + 2·d1·u(1−u) + d2·u²).
         if size > 0.0 {
             let (d0, d1, d2) = ((b1 - b0) / size, (b2 - b1) / size, (b3 - b2) / size);
             let root = constant::sqrt(d1 * d1 - d0 * d2);
@@ -40,7 +42,8 @@ impl Extremes {
                 i += 1;
             }
         }
-        // At a turning point that rounding has misplaced by e the value is off by e² only, well within the same bound.
+        // At a turning point that rounding has misplaced by e the value is off by e² only, well within the
+        // same bound.
         let slack = ROUNDING * size;
         if least < 0.0 && least >= -slack && b0 >= 0.0 && b3 >= 0.0 {
             least = 0.0;

@@ -5,15 +5,17 @@ use core::marker::PhantomData;
 
 /// Cardano's formula, held in its monotone piece and refined.
 ///
-/// With `X = 3·c3·u + c2`, the cubic becomes `X³ − 3·D·X + N = 0`, `D = c2² − 3·c3·c1`, `N = 2·c2³ − 9·c3·c2·c1 + 27·c3²·c0`:
+/// With `X = 3·c3·u + c2`, the cubic becomes `X³ − 3·D·X + N = 0`, `D = c2² − 3·c3·c1`,
+/// `N = 2·c2³ − 9·c3·c2·c1 + 27·c3²·c0`:
 ///
-/// - no turning point, or the root beyond the outer ones where only it is real: one cube root, `X = z + D/z`, `z³ = −(N ± √(N² − 4·D³))/2`,
-///   the sign that adds;
+/// - no turning point, or the root beyond the outer ones where only it is real: one cube root, `X = z + D/z`,
+///   `z³ = −(N ± √(N² − 4·D³))/2`, the sign that adds;
 /// - three real roots: `X = 2·√D·cos(θ)`, `cos(3θ) = −N/(2·√D³)`, θ by the piece.
 ///
-/// (Cardano 1545, Viète 1591.) Going back divides by c3, and `X − c2` cancels as c3 → 0: where that throws the seed out of the piece it is the
-/// quadratic's, `c0 + c1·u + c2·u²`, in the form that does not cancel. What else the formula loses beside a double root, and what rough functions
-/// lose anywhere, the refinement restores.
+/// (Cardano 1545, Viète 1591.) Going back divides by c3, and `X − c2` cancels as c3 → 0: where that throws
+/// the seed out of the piece it is the quadratic's, `c0 + c1·u + c2·u²`, in the form that does not cancel.
+/// What else the formula loses beside a double root, and what rough functions lose anywhere, the refinement
+/// restores.
 ///
 /// Sound for every finite cubic over every backend; see the [module](super) for the bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -25,10 +25,12 @@ impl Turning {
         if value.is_finite() { Self { at, value, bend } } else { Self::NONE }
     }
 
-    /// The turning points of `g` in ascending order, absent ones last. None or one of a quadratic, none or two of a cubic.
+    /// The turning points of `g` in ascending order, absent ones last. None or one of a quadratic, none or
+    /// two of a cubic.
     ///
-    /// `u = (−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`: each point from that form of the quadratic formula that adds two numbers of one
-    /// sign, so that the point which stays finite as c3 → 0 is found without dividing by it.
+    /// `u = (−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`: each point from that form of the quadratic formula
+    /// that adds two numbers of one sign, so that the point which stays finite as c3 → 0 is found without
+    /// dividing by it.
     pub fn of<M: Math>(g: &Cubic) -> [Self; 2] {
         let [_, c1, c2, c3] = g.c;
         let s = M::sqrt(difference_of_products(c2, 3.0 * c1, c3));
@@ -62,7 +64,8 @@ pub struct Piece {
     pub falling: bool,
 }
 
-/// The points of an interval at which a cubic changes sign, in ascending order: at most three, one a monotone piece.
+/// The points of an interval at which a cubic changes sign, in ascending order: at most three, one a monotone
+/// piece.
 pub(crate) struct Crossings<S> {
     g: Cubic,
     lo: f32,
@@ -82,7 +85,8 @@ impl<S: Solver> Crossings<S> {
         Self { g, lo, hi, turns: Turning::of::<S::Math>(&g), next: 0, positive, solver: PhantomData }
     }
 
-    /// The interval begins at a root: the sign is that at the end of the first piece, which has no other root.
+    /// The interval begins at a root: the sign is that at the end of the first piece, which has no other
+    /// root.
     pub fn leave_root(&mut self) {
         for k in 0..3 {
             if let Some((_, value)) = self.piece(k) {
@@ -145,9 +149,11 @@ impl<S: Solver> Iterator for Crossings<S> {
     }
 }
 
-/// `a² − b·c` to within a few units of the result wherever it is not far below the rounding of the exact products.
+/// `a² − b·c` to within a few units of the result wherever it is not far below the rounding of the exact
+/// products.
 ///
-/// The plain difference, unless it cancels; then each product is taken exactly, as a sum of two numbers (Dekker 1971).
+/// The plain difference, unless it cancels; then each product is taken exactly, as a sum of two numbers
+/// (Dekker 1971).
 fn difference_of_products(a: f32, b: f32, c: f32) -> f32 {
     let (square, product) = (a * a, b * c);
     let plain = square - product;

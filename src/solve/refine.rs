@@ -5,13 +5,13 @@ use crate::cubic::Cubic;
 /// Newton's needs two or three; the rest is for those who call with an interval like ±10³⁸ and a bad seed.
 const MOST_STEPS: u32 = 160;
 
-/// The root of `g` in a monotone piece, by Newton's method from `seed`, held in the bracket that the signs of `g` draw
-/// ever closer. A step that leaves the bracket is replaced by its middle.
+/// The root of `g` in a monotone piece, by Newton's method from `seed`, held in the bracket that the signs of
+/// `g` draw ever closer. A step that leaves the bracket is replaced by its middle.
 ///
-/// Both ways out are bounds on the value: one that is within its own rounding has no sign to go by, only a last
-/// step to offer, and after a step d from u the value
-/// that remains is exactly `d²·(g″(u)/2 − c3·d)`. That is enough once it is below a rounding too, and the step is short
-/// enough for its own rounding not to count. Beside a turning point the slope is mostly rounding: no step is longer than half the way to it.
+/// Both ways out are bounds on the value: one that is within its own rounding has no sign to go by, only a
+/// last step to offer, and after a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`.
+/// That is enough once it is below a rounding too, and the step is short enough for its own rounding not to
+/// count. Beside a turning point the slope is mostly rounding: no step is longer than half the way to it.
 #[inline(always)]
 pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
     const UNIT: f32 = 1.0 / 16_777_216.0;

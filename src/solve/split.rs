@@ -5,10 +5,11 @@ use core::marker::PhantomData;
 
 /// Split at the turning points, then a bent parabola. The crate's default.
 ///
-/// About a turning point, with d = u − at: `g = value + bend·d² + c3·d³`. Without the last term the root is at
-/// `e = √(−value/bend)`; with it at `e·Φ(b)`, `Φ²·(1 − b·Φ) = 1`, `b = ∓c3·e/bend`. Towards the other turning point b runs up to
-/// `√6/9` (at the point of inflection, where the other takes over), away from it down without bound. A polynomial of four terms gives Φ within
-/// 1.1 % over [−1, √6/9]; below, the cubic term rules and the seed comes from the point of inflection.
+/// About a turning point, with d = u − at: `g = value + bend·d² + c3·d³`. Without the last term the root is
+/// at `e = √(−value/bend)`; with it at `e·Φ(b)`, `Φ²·(1 − b·Φ) = 1`, `b = ∓c3·e/bend`. Towards the other
+/// turning point b runs up to `√6/9` (at the point of inflection, where the other takes over), away from it
+/// down without bound. A polynomial of four terms gives Φ within 1.1 % over [−1, √6/9]; below, the cubic term
+/// rules and the seed comes from the point of inflection.
 ///
 /// Sound for every finite cubic; see the [module](super) for the bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,13 +39,15 @@ impl<M: Math> Solver for Split<M> {
     }
 }
 
-/// Φ on [−1, √6/9], `1 + b·(p1 + b·(p2 + b·p3))`, least largest relative error 1.05 %. One at b = 0: a quadratic's root needs no more.
+/// Φ on [−1, √6/9], `1 + b·(p1 + b·(p2 + b·p3))`, least largest relative error 1.05 %. One at b = 0: a
+/// quadratic's root needs no more.
 fn phi(b: f32) -> f32 {
     1.0 + b * (0.570_35 + b * (0.669_61 + b * 0.352_28))
 }
 
-/// A seed where the cubic term rules. About the point of inflection i, with v = u − i: `c3·v³ + m·v + g(i) = 0`. With `z = ∛(−g(i)/c3)` and `μ = m/(3·c3)`,
-/// `z − μ/z` is close while z² is the larger (it is what remains of Cardano's two cube roots), and `−g(i)/m` where μ is.
+/// A seed where the cubic term rules. About the point of inflection i, with v = u − i:
+/// `c3·v³ + m·v + g(i) = 0`. With `z = ∛(−g(i)/c3)` and `μ = m/(3·c3)`, `z − μ/z` is close while z² is the
+/// larger (it is what remains of Cardano's two cube roots), and `−g(i)/m` where μ is.
 fn from_inflection(g: &Cubic) -> f32 {
     let [_, c1, c2, c3] = g.c;
     let i = -c2 / (3.0 * c3);

@@ -3,8 +3,8 @@
 
 use crate::camera::Projection;
 use crate::color::{Paint, Rgb};
+use crate::ray::Rays;
 use crate::scene::Scene;
-use crate::solid::Rays;
 use crate::vector::F32x3;
 use core::num::NonZeroU32;
 
@@ -81,12 +81,14 @@ impl Picture<'_> {
         let rays = self.rays(x, y);
         let mut depths = [f32::INFINITY; RUN];
         for solid in *solids {
-            let seen = solid.seen_along(&rays, light);
-            for (i, (pixel, depth)) in run.iter_mut().zip(&mut depths).enumerate() {
-                if let Some((t, colour)) = seen.pixel(i, *depth) {
+            let mut seen = solid.seen_along(&rays, run.len(), light);
+            let mut i = 0;
+            while let Some((at, t, colour)) = seen.next(i, &depths) {
+                if let (Some(pixel), Some(depth)) = (run.get_mut(at), depths.get_mut(at)) {
                     *depth = t;
-                    *pixel = C::paint(colour, x + i as u32, y);
+                    *pixel = C::paint(colour, x + at as u32, y);
                 }
+                i = at + 1;
             }
         }
     }
@@ -101,7 +103,13 @@ impl Picture<'_> {
             Projection::Perspective => (none, step),
             Projection::Orthographic => (step, none),
         };
-        Rays { origin: first.origin, origin_step, direction: first.direction, direction_step }
+        Rays {
+            origin: first.origin,
+            origin_step,
+            direction: first.direction,
+            direction_step,
+            unit: first.unit,
+        }
     }
 
     /// The pixels of a rectangle, row by row from its upper left corner, reckoned as they are asked for.

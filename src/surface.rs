@@ -50,38 +50,32 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// other operations.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let point = ray.at(hit.t);
-        let normal = unit(self.gradient(point, hit)).unwrap_or(self.pole(hit));
+        let normal = unit(self.gradient(point, hit));
         Surface { point, normal }
     }
 
-    /// A vector along the outward normal at a point of the surface: `(2k·x, 2y, −f′(u)/h)` on the wall, half
-    /// of it in the lathe's frame.
-    #[inline(always)]
+    /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the wall, in the
+    /// lathe's frame; along the axis where that is nothing.
     pub(crate) fn gradient(&self, point: F32x3, hit: &Hit) -> F32x3 {
         let (scale, squash) = self.proportions();
+        let pole = |z| vector([0.0, 0.0, z]);
+        let gradient = vector([squash * scale * point.x, scale * point.y, -0.5 * self.slope(hit)]);
         match hit.part {
-            Part::Base => vector([0.0, 0.0, -1.0]),
-            Part::Top => vector([0.0, 0.0, 1.0]),
-            Part::Wall => vector([squash * scale * point.x, scale * point.y, -0.5 * self.slope(hit)]),
+            Part::Base => pole(-1.0),
+            Part::Top => pole(1.0),
+            Part::Wall if largest(gradient) > 0.0 => gradient,
+            Part::Wall if hit.segment == 0 && hit.u < 0.5 => pole(-1.0),
+            Part::Wall => pole(1.0),
         }
-    }
-
-    /// Out of the solid along the axis.
-    pub(crate) fn pole(&self, hit: &Hit) -> F32x3 {
-        let down = hit.segment == 0 && hit.u < 0.5;
-        vector([0.0, 0.0, if down { -1.0 } else { 1.0 }])
     }
 }
 
-/// The unit vector along `v`, if it has a direction.
+/// The unit vector along `v`, which is not zero.
 ///
-/// Lengths in a lathe's frame are near one, but a very flat or very tall profile's are not: those are brought
-/// there first.
+/// Lengths in a lathe's frame are near one, but a very flat or very tall profile's slopes are not: those are brought there first.
 #[inline(always)]
-pub(crate) fn unit(v: F32x3) -> Option<F32x3> {
-    const FAR: f32 = 1e12;
+pub(crate) fn unit(v: F32x3) -> F32x3 {
     let size = largest(v);
-    let v = if size > 1.0 / FAR && size < FAR { v } else { v * (1.0 / size) };
-    let square = v.dot(v);
-    (square > 0.0).then(|| v * (1.0 / Native::sqrt(square)))
+    let v = if size > 1e-12 && size < 1e12 { v } else { v * (1.0 / size) };
+    v * (1.0 / Native::sqrt(v.dot(v)))
 }

@@ -74,19 +74,29 @@ impl<'a> Chord<'a> {
         }
     }
 
-    /// Whether the Bernstein ordinates of g over the chord have all the sign that it starts with: a certain
-    /// miss, since g lies between them.
+    /// The Bernstein ordinates of g over the chord: g lies between the least and the largest.
     #[inline(always)]
-    pub fn is_clear(&self) -> bool {
+    fn ordinates(&self) -> [f32; 4] {
         let third = (self.to - self.from) * (1.0 / 3.0);
         let (g0, g3) = (self.g.at(self.from), self.g.at(self.to));
-        let g1 = g0 + third * self.g.slope(self.from);
-        let g2 = g3 - third * self.g.slope(self.to);
+        [g0, g0 + third * self.g.slope(self.from), g3 - third * self.g.slope(self.to), g3]
+    }
+
+    /// Whether g certainly keeps the sign that it starts with.
+    #[inline(always)]
+    pub fn is_clear(&self) -> bool {
+        let [g0, g1, g2, g3] = self.ordinates();
         if self.inside {
             g0 >= 0.0 && g1 > 0.0 && g2 > 0.0 && g3 > 0.0
         } else {
             g0 <= 0.0 && g1 < 0.0 && g2 < 0.0 && g3 < 0.0
         }
+    }
+
+    /// Whether g is certainly below a bound.
+    #[inline(always)]
+    pub fn is_below(&self, bound: f32) -> bool {
+        self.ordinates().iter().all(|&ordinate| ordinate < bound)
     }
 
     /// The crossings along the chord, in order.

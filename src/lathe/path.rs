@@ -1,9 +1,10 @@
 use super::chord::Chord;
 use super::{Frame, View, is_beyond};
 use crate::hit::Hit;
-use crate::math::Math;
+use crate::math::{Math, Native};
 use crate::ray::Ray;
 use crate::solve::Solver;
+use crate::vector::{F32x3, vector};
 use core::ops::ControlFlow;
 
 /// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what
@@ -37,8 +38,16 @@ impl Path {
         let (o, d) = (ray.origin, ray.direction);
         let (x, y, z) = (o.x * frame.scale, o.y * frame.scale, (o.z - frame.middle) * frame.scale);
         let shift = -(x * d.x + y * d.y + z * d.z) / (d.x * d.x + d.y * d.y + d.z * d.z);
-        let (x, y, z) = ((x + shift * d.x) * frame.root_squash, y + shift * d.y, z + shift * d.z);
-        let (dx, dy) = (d.x * frame.root_squash, d.y);
+        let place = vector([(x + shift * d.x) * frame.root_squash, y + shift * d.y, z + shift * d.z]);
+        let direction = vector([d.x * frame.root_squash, d.y, d.z]);
+        Self::through(place, direction, shift, 1.0 / (frame.scale * ray.unit))
+    }
+
+    /// The path through a point, where t = 0, that was moved there along the ray by so many t.
+    #[inline(always)]
+    pub fn through(place: F32x3, direction: F32x3, shift: f32, per_unit: f32) -> Self {
+        let F32x3 { x, y, z } = place;
+        let F32x3 { x: dx, y: dy, z: dz } = direction;
         let q = dx * dx + dy * dy;
         // Parallel to the axis, it is as near everywhere.
         let per_q = if q > f32::MIN_POSITIVE { 1.0 / q } else { f32::INFINITY };
@@ -50,16 +59,59 @@ impl Path {
             z,
             dx,
             dy,
-            dz: d.z,
+            dz,
             // −0 + 0 = +0: a horizontal path counts as rising.
-            per_dz: 1.0 / (d.z + 0.0),
+            per_dz: 1.0 / (dz + 0.0),
             q,
             per_q,
             nearest,
             square: ax * ax + ay * ay,
             shift,
-            per_unit: 1.0 / (frame.scale * ray.unit),
+            per_unit,
         }
+    }
+
+    /// Whether g is below −2δ·ρ − δ·slope all along: every ray within δ of this one misses. See [`Sweep::clears`](super::sweep::Sweep::clears).
+    pub fn clears(&self, lathe: View<'_>, delta: f32) -> bool {
+        let frame = lathe.frame;
+        let steep = frame.steepest * delta;
+        let widened = |square: f32| Native::sqrt(square + steep) + delta;
+        let radius = widened(frame.reach);
+        let Some((near, far)) = self.within::<Native>(radius * radius) else {
+            return true;
+        };
+        let (low, high) = (self.plane(frame.low - delta), self.plane(frame.high + delta));
+        let (enter, leave) = (near.max(low.min(high)), far.min(low.max(high)));
+        if !(enter <= leave) {
+            // Out of the slab while in the cylinder; or NaN, which is no answer.
+            return enter > leave;
+        }
+        // Beyond the ends the nearest point of the solid is an end's.
+        for (outer, inner, square) in [
+            (frame.low - delta, frame.low, lathe.segments.first().map_or(0.0, |first| first.b[0])),
+            (frame.high + delta, frame.high, lathe.segments.last().map_or(0.0, |last| last.b[3])),
+        ] {
+            let (a, b) = (self.plane(outer), self.plane(inner));
+            let (from, to) = (enter.max(a.min(b)), leave.min(a.max(b)));
+            if from <= to {
+                let away = self.nearest.clamp(from, to) - self.nearest;
+                let radius = widened(square);
+                if !(self.square + self.q * (away * away) > radius * radius) {
+                    return false;
+                }
+            }
+        }
+        lathe.segments.iter().enumerate().all(|(index, segment)| {
+            let radius = widened(segment.reach);
+            let Some((near, far)) = self.within::<Native>(radius * radius) else {
+                return true;
+            };
+            let (a, b) = (self.plane(segment.low), self.plane(segment.high));
+            let (from, to) = (enter.max(near).max(a.min(b)), leave.min(far).min(a.max(b)));
+            !(from < to)
+                || Chord::new(self, segment, index, [from, to], Some(false), true)
+                    .is_below(-(2.0 * delta * radius + steep))
+        })
     }
 
     /// From where to where the path is in a cylinder about the axis, of the radius whose square is given.

@@ -1,0 +1,264 @@
+use super::path::Path;
+use super::segment::Segment;
+use super::{Frame, Lathe, View};
+use crate::hit::Hit;
+use crate::math::{Math, Native};
+use crate::ray::Rays;
+use crate::vector::{F32x3, Vector};
+
+/// A lathe and the rays of neighbouring pixels, in the lathe's frame. What one ray has found is where the next one looks.
+///
+/// [`follow`](Sweep::follow) carries a hit on by Newton's method, [`clears`](Sweep::clears) passes over rays that miss.
+/// Both answer only what they can certify; whatever is left is for a ray of its own.
+pub(crate) struct Sweep<'a> {
+    lathe: View<'a>,
+    /// The first ray's point at t = 0, and the change from ray to ray. All rays are moved along themselves by one t, to
+    /// where they are near the frame's origin.
+    place: F32x3,
+    place_step: F32x3,
+    direction: F32x3,
+    direction_step: F32x3,
+    /// The t they were moved by.
+    shift: f32,
+    per_unit: f32,
+    /// How far apart neighbouring rays are at most where the lathe is.
+    pitch: f32,
+    /// How long, in t, a ray can be in the lathe's bounding sphere at most.
+    longest: f32,
+    last: Option<Last>,
+}
+
+/// What the last ray has found.
+#[derive(Clone, Copy)]
+struct Last {
+    segment: usize,
+    t: f32,
+    /// How much t changes from ray to ray.
+    ahead: f32,
+    /// About 1/(dg/dt).
+    per_slope: f32,
+    enters: bool,
+}
+
+/// A hit, and what its shading needs.
+pub(crate) struct Glimpse {
+    /// The distance along the ray, in units of its direction.
+    pub t: f32,
+    /// A vector along the outward normal, in object space.
+    pub gradient: F32x3,
+    pub enters: bool,
+}
+
+impl<'a> Sweep<'a> {
+    /// Of so many rays, given in object space.
+    pub fn new(lathe: &'a Lathe, rays: &Rays, len: usize) -> Self {
+        let view = lathe.view();
+        let Frame { scale, middle, root_squash, reach, high, .. } = *view.frame;
+        let origin = F32x3 { z: rays.origin.z - middle, ..rays.origin } * scale;
+        let origin_step = rays.origin_step * scale;
+        let half = 0.5 * len as f32;
+        let (o, d) = (origin + origin_step * half, rays.direction + rays.direction_step * half);
+        let shift = -o.dot(d) / d.dot(d);
+        let squashed = |v: F32x3| F32x3 { x: v.x * root_squash, ..v };
+        let place = squashed(origin + rays.direction * shift);
+        let place_step = squashed(origin_step + rays.direction_step * shift);
+        let (direction, direction_step) = (squashed(rays.direction), squashed(rays.direction_step));
+
+        // Bounds for all rays, from the middle one: its length and what the others' can differ by; the radius of the lathe's
+        // bounding sphere; the t at which a ray can be in a sphere of twice that.
+        let (away, length) = (norm(place + place_step * half), norm(squashed(d)));
+        let turn = norm(direction_step);
+        let around = Native::sqrt(reach + high * high);
+        let shortest = length - half * turn;
+        let (pitch, longest) = if shortest > 0.75 * length {
+            let within = (away + 2.0 * around) / shortest;
+            (norm(place_step) + within * turn, 2.0 * around / shortest)
+        } else {
+            (f32::INFINITY, f32::INFINITY)
+        };
+        Self {
+            lathe: view,
+            place,
+            place_step,
+            direction,
+            direction_step,
+            shift,
+            per_unit: 1.0 / (scale * rays.unit),
+            pitch,
+            longest,
+            last: None,
+        }
+    }
+
+    /// The next ray is like one that has hit.
+    pub fn begin(&mut self, hit: &Hit) {
+        self.last = Some(Last {
+            segment: hit.segment,
+            t: hit.t / self.per_unit - self.shift,
+            ahead: 0.0,
+            per_slope: f32::NAN,
+            enters: hit.enters,
+        });
+    }
+
+    /// The next ray is not like the last.
+    pub fn end(&mut self) {
+        self.last = None;
+    }
+
+    /// Whether the last ray has hit.
+    pub fn is_following(&self) -> bool {
+        self.last.is_some()
+    }
+
+    /// The nearest hit of the i-th ray, if it follows from the last one's and can be certified.
+    ///
+    /// # Newton's method, continued
+    ///
+    /// From where the last two hits point, in the last one's segment or a neighbour. 1/(dg/dt) is carried on too, and corrected by
+    /// `r ← r·(2 − r·dg/dt)`: no division. What remains after a step is bounded by the step times what r lacks, and
+    /// the step squared times the curvature.
+    ///
+    /// # The certificate that nothing lies nearer
+    ///
+    /// In the segment: before the root, at t − d, g is `−d·(slope − bend·d + c3·d²)`, and the parenthesis keeps its sign if its Bernstein
+    /// ordinates over [0, longest] do. Where the ray was inside before it leaves, g is concave on the way and
+    /// positive where it comes in. Before the segment: none, if it is the first; otherwise the ray comes
+    /// into the segment's slab farther from the axis than any segment before reaches, and was farther before.
+    #[inline(always)]
+    pub fn follow(&mut self, i: f32) -> Option<Glimpse> {
+        let last = self.last?;
+        let (p, d) = (self.place + self.place_step * i, self.direction + self.direction_step * i);
+        let q = d.x * d.x + d.y * d.y;
+        let mut t = last.t + last.ahead;
+        let mut index = last.segment;
+        let mut r = last.per_slope;
+        let mut changes = 0;
+        loop {
+            let segment = self.lathe.segments.get(index)?;
+            let [f0, f1, f2, f3] = segment.f;
+            let (u0, du) = ((p.z - segment.low) * segment.per_height, d.z * segment.per_height);
+            let (mut slope, mut bend);
+            let mut steps = 0;
+            loop {
+                let (x, y, u) = (p.x + t * d.x, p.y + t * d.y, u0 + t * du);
+                let g = ((f3 * u + f2) * u + f1) * u + f0 - (x * x + y * y);
+                slope = ((3.0 * f3 * u + (f2 + f2)) * u + f1) * du - 2.0 * (x * d.x + y * d.y);
+                bend = (3.0 * f3 * u + f2) * (du * du) - q;
+                let lacks = 1.0 - slope * r;
+                let lacks = if lacks.abs() < 0.25 {
+                    r += r * lacks;
+                    lacks * lacks
+                } else {
+                    r = 1.0 / slope;
+                    0.0
+                };
+                let step = g * r;
+                t -= step;
+                if step.abs() * (lacks + (step * bend * r).abs()) <= CLOSE {
+                    break;
+                }
+                steps += 1;
+                if steps == 4 {
+                    return None;
+                }
+            }
+            let u = u0 + t * du;
+            if u < 0.0 || u > 1.0 {
+                if changes == 1 {
+                    return None;
+                }
+                changes = 1;
+                index = if u < 0.0 { index.checked_sub(1)? } else { index + 1 };
+                r = f32::NAN;
+                continue;
+            }
+            let c3 = f3 * (du * du * du);
+            let far = t + self.shift;
+            if (slope > 0.0) != last.enters
+                || !(far > 0.0)
+                || !self.is_first(segment, index, &p, &d, q, [slope, bend, c3], last.enters)
+            {
+                return None;
+            }
+            let ahead = t - last.t;
+            let ahead = if last.per_slope.is_nan() { 0.0 } else { ahead };
+            self.last = Some(Last { segment: index, t, ahead, per_slope: r, ..last });
+            let slope = ((3.0 * f3 * u + (f2 + f2)) * u + f1) * segment.per_height;
+            let root_squash = self.lathe.frame.root_squash;
+            return Some(Glimpse {
+                t: far * self.per_unit,
+                gradient: F32x3 { x: root_squash * (p.x + t * d.x), y: p.y + t * d.y, z: -0.5 * slope },
+                enters: last.enters,
+            });
+        }
+    }
+
+    /// The certificate.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    fn is_first(
+        &self,
+        segment: &Segment,
+        index: usize,
+        p: &F32x3,
+        d: &F32x3,
+        _q: f32,
+        [slope, bend, c3]: [f32; 3],
+        enters: bool,
+    ) -> bool {
+        let up = d.z >= 0.0;
+        let (plane, before, end) = if up {
+            (segment.low, segment.below, self.lathe.frame.base)
+        } else {
+            (segment.high, segment.above, self.lathe.frame.top)
+        };
+        let is_end = if up { index == 0 } else { index + 1 == self.lathe.segments.len() };
+        // Where the ray comes into the slab, times dz.
+        let way = plane - p.z;
+        let (x, y) = (p.x * d.z + way * d.x, p.y * d.z + way * d.y);
+        let dz2 = d.z * d.z;
+        let l = self.longest;
+        if enters {
+            let middle = slope - 0.5 * bend * l;
+            let end = slope - bend * l + c3 * (l * l);
+            let nearing = x * d.x + y * d.y;
+            middle > 0.0
+                && end > 0.0
+                && (is_end
+                    || (x * x + y * y > before * dz2 && if up { nearing < 0.0 } else { nearing > 0.0 }))
+        } else {
+            let square = if up { segment.b[0] } else { segment.b[3] };
+            is_end
+                && end.is_none()
+                && bend < 0.0
+                && bend < 3.0 * c3 * l
+                && square * dz2 > (x * x + y * y) * (1.0 + 1e-5)
+        }
+    }
+
+    /// Whether all rays from the i-th on, so many, certainly miss.
+    ///
+    /// They are all within δ of the middle one wherever the lathe is. A point that moves by δ sees its distance ρ from the axis change by δ and the squared
+    /// radius at its height by δ times the profile's steepest slope; so g stays negative where it is below
+    /// `−2δ·ρ − δ·slope` on the middle ray.
+    pub fn clears(&self, i: usize, len: usize) -> bool {
+        let half = 0.5 * (len - 1) as f32;
+        // A little for the rounding of all this.
+        let delta = half * self.pitch + 1e-5;
+        if !(delta < 1.0) {
+            return false;
+        }
+        let at = i as f32 + half;
+        let (p, d) = (self.place + self.place_step * at, self.direction + self.direction_step * at);
+        let path = Path::through(p, d, self.shift, self.per_unit);
+        path.clears(self.lathe, delta)
+    }
+}
+
+/// 2⁻²³ of the frame's unit: half a rounding of what is near one.
+const CLOSE: f32 = 1.0 / 8_388_608.0;
+
+fn norm(v: F32x3) -> f32 {
+    Native::sqrt(v.dot(v))
+}

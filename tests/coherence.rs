@@ -1,0 +1,182 @@
+//! Rows of pixels, which carry on what the pixel before has found, against rays that know nothing of each other.
+
+#[path = "../examples/scenes/mod.rs"]
+#[allow(dead_code)]
+mod scenes;
+
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_lathe::{
+    Background, Camera, End, Lathe, Light, Paint, Pose, Profile, Ray, Rgb, Rotation, Scene, Segment, Solid,
+};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+const BLACK: Background = Background::Plain(Rgb::BLACK);
+
+/// A scene's solids and light, as the test knows them: what a ray sees is reckoned here.
+struct Known<'a> {
+    scene: Scene<'a>,
+    colours: &'a [Rgb],
+    towards: [f32; 3],
+    ambient: f32,
+}
+
+impl Known<'_> {
+    /// What one ray by itself sees: Lambert's share of the nearest solid's colour.
+    fn seen(&self, ray: &Ray) -> Option<Rgb> {
+        let hits = self.scene.solids.iter().zip(self.colours);
+        let nearest = hits
+            .filter_map(|(solid, colour)| Some((solid.nearest(ray, 0.0)?, solid, colour)))
+            .min_by(|one, other| one.0.t.total_cmp(&other.0.t));
+        let (hit, solid, colour) = nearest?;
+        let normal = solid.surface(ray, &hit).normal.to_array();
+        let length = self.towards.iter().map(|c| c * c).sum::<f32>().sqrt();
+        let side = if hit.enters { 1.0 } else { -1.0 };
+        let nl = side * (0..3).map(|i| normal[i] * self.towards[i]).sum::<f32>() / length;
+        let share = self.ambient + (1.0 - self.ambient) * nl.max(0.0);
+        Some(Rgb::new(colour.r * share, colour.g * share, colour.b * share))
+    }
+}
+
+/// How two pictures differ: in what they show, and by how many steps of a channel.
+#[derive(Default, Debug)]
+struct Difference {
+    pixels: usize,
+    covered: usize,
+    mask: usize,
+    one_step: usize,
+    more: usize,
+}
+
+impl Difference {
+    fn add(&mut self, known: &Known, side: u32, what: &str) {
+        let picture = known.scene.picture(side, side);
+        let mut row = vec![Rgb565::BLACK; side as usize];
+        for y in 0..side {
+            picture.row(y, &mut row);
+            for (x, &pixel) in (0..).zip(&row) {
+                let alone = known.seen(&known.scene.camera.ray(x, y, side, side));
+                self.pixels += 1;
+                let colour = Rgb565::paint(alone.unwrap_or(Rgb::BLACK), x, y);
+                self.covered += usize::from(alone.is_some());
+                if (pixel == Rgb565::BLACK) != alone.is_none() {
+                    self.mask += 1;
+                    println!("{what}: column {x}, row {y}: {pixel:?} instead of {colour:?}");
+                    continue;
+                }
+                let steps = [(pixel.r(), colour.r()), (pixel.g(), colour.g()), (pixel.b(), colour.b())]
+                    .map(|(one, other)| one.abs_diff(other));
+                match steps.into_iter().max() {
+                    Some(0) | None => {}
+                    Some(1) => self.one_step += 1,
+                    _ => {
+                        self.more += 1;
+                        println!("{what}: column {x}, row {y}: {pixel:?} instead of {colour:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    fn assert_none(&self) {
+        println!("{self:?}");
+        assert_eq!((self.mask, self.more), (0, 0), "{self:?}");
+        assert!(self.one_step * 10_000 <= self.pixels, "{self:?}");
+        assert!(self.covered * 20 > self.pixels, "{self:?}");
+    }
+}
+
+#[test]
+fn the_reference_scenes_are_those_of_single_rays() {
+    // The light of the scenes, their colours without gloss: the test knows no more than Lambert.
+    let (towards, ambient) = ([-0.5, -0.7, 0.5], 0.15);
+    let colours = [scenes::CLAY, Rgb::new(0.8, 0.75, 0.3), Rgb::new(0.45, 0.6, 0.45)];
+    for (name, scene) in scenes::NAMED {
+        let matt: Vec<Solid> = scene.solids.iter().map(|solid| solid.shiny(0)).collect();
+        let colours = if name == "bowl" { &[Rgb::new(0.3, 0.6, 0.7)][..] } else { &colours[..] };
+        let scene = Scene { solids: &matt, background: BLACK, ..*scene };
+        let mut difference = Difference::default();
+        difference.add(&Known { scene, colours, towards, ambient }, 240, name);
+        difference.assert_none();
+    }
+}
+
+fn even(rng: &mut ChaCha8Rng, from: f32, to: f32) -> f32 {
+    rng.random_range(from..to)
+}
+
+/// One to eight segments of uneven height, some of whose ends are poles or creases.
+fn random_lathe(rng: &mut ChaCha8Rng) -> Lathe<[Segment; 8]> {
+    loop {
+        let segments = rng.random_range(1..=8);
+        let mut knots = vec![even(rng, -1.0, 0.0)];
+        let mut ordinates = vec![if rng.random_ratio(1, 4) { 0.0 } else { even(rng, 0.0, 0.6) }];
+        for _ in 0..segments {
+            knots.push(knots[knots.len() - 1] + even(rng, 0.03, 0.5));
+            // Smooth three times out of four, if heights were even.
+            let last = ordinates[ordinates.len() - 1];
+            let lean = if ordinates.len() > 1 { last - ordinates[ordinates.len() - 2] } else { 0.0 };
+            let smooth = rng.random_ratio(3, 4) && last + lean >= 0.0;
+            ordinates.push(if smooth { last + lean } else { even(rng, 0.0, 0.6) });
+            ordinates.push(even(rng, 0.0, 0.6));
+            ordinates.push(if rng.random_ratio(1, 12) { 0.0 } else { even(rng, 0.0, 0.6) });
+        }
+        let end = |open| if open { End::Open } else { End::Capped };
+        let squash = if rng.random_ratio(1, 3) { even(rng, 0.1, 1.0) } else { 1.0 };
+        if let Ok(profile) = Profile::<8>::new(&knots, &ordinates).and_then(|profile| profile.squash(squash))
+        {
+            return Lathe::turn(profile.base(end(rng.random())).top(end(rng.random())));
+        }
+    }
+}
+
+/// From all around, also from within, above, near the axis and across: c changes its sign within rows.
+fn random_camera(rng: &mut ChaCha8Rng) -> Camera {
+    loop {
+        let vector = |rng: &mut ChaCha8Rng, size: f32| [(); 3].map(|()| even(rng, -size, size));
+        let distance: f32 = [0.3, 1.5, 3.0, 6.0][rng.random_range(0..4)];
+        let mut eye = vector(rng, distance);
+        match rng.random_range(0..4) {
+            0 => (eye[0], eye[1]) = (0.01 * eye[0], 0.01 * eye[1]),
+            1 => eye[2] = even(rng, -0.3, 0.3),
+            _ => {}
+        }
+        let (target, up) = (vector(rng, 0.3), vector(rng, 1.0));
+        let wide = even(rng, 0.2, 1.0) / distance.max(1.0);
+        let camera = if rng.random_ratio(1, 4) {
+            Camera::orthographic(eye, target, up, even(rng, 0.2, 1.5))
+        } else {
+            Camera::perspective(eye, target, up, wide)
+        };
+        if let Ok(camera) = camera {
+            return camera;
+        }
+    }
+}
+
+#[test]
+fn two_hundred_random_scenes_are_those_of_single_rays() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1995);
+    let mut difference = Difference::default();
+    for number in 0..200 {
+        let lathes = [random_lathe(&mut rng), random_lathe(&mut rng)];
+        let turn = Rotation::about([even(&mut rng, -1.0, 1.0), 0.3, 0.5], even(&mut rng, -3.0, 3.0)).unwrap();
+        let away = Pose::new([even(&mut rng, -1.0, 1.0), 0.2, 0.1], turn, even(&mut rng, 0.3, 1.5)).unwrap();
+        let colours = [Rgb::WHITE, Rgb::new(0.9, 0.5, 0.3)];
+        let solids = [Solid::new(&lathes[0], colours[0]), Solid::new(&lathes[1], colours[1]).posed(away)];
+        let towards = [even(&mut rng, -1.0, 1.0), -1.0, 0.5];
+        let scene = Scene {
+            solids: &solids[..rng.random_range(1..=2)],
+            camera: random_camera(&mut rng),
+            light: Light::new(towards, 0.2).unwrap(),
+            background: BLACK,
+        };
+        difference.add(
+            &Known { scene, colours: &colours, towards, ambient: 0.2 },
+            60,
+            &format!("scene {number}"),
+        );
+    }
+    let _ = rng.next_u32();
+    difference.assert_none();
+}

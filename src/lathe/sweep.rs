@@ -1,5 +1,4 @@
 use super::path::Path;
-use super::segment::Segment;
 use super::{Frame, Lathe, View};
 use crate::hit::Hit;
 use crate::math::{Math, Native};
@@ -177,7 +176,7 @@ impl<'a> Sweep<'a> {
             let far = t + self.shift;
             if (slope > 0.0) != last.enters
                 || !(far > 0.0)
-                || !self.is_first(segment, index, &p, &d, q, [slope, bend, c3], last.enters)
+                || !self.is_first(index, t, &p, &d, [slope, bend, c3])
             {
                 return None;
             }
@@ -194,47 +193,65 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// The certificate.
+    /// Whether a root at t, in a segment, has no other before it. Its slope, half the second derivative and the cubic coefficient of g there are given.
     #[inline(always)]
-    #[allow(clippy::too_many_arguments)]
-    fn is_first(
-        &self,
-        segment: &Segment,
-        index: usize,
-        p: &F32x3,
-        d: &F32x3,
-        _q: f32,
-        [slope, bend, c3]: [f32; 3],
-        enters: bool,
-    ) -> bool {
-        let up = d.z >= 0.0;
-        let (plane, before, end) = if up {
-            (segment.low, segment.below, self.lathe.frame.base)
-        } else {
-            (segment.high, segment.above, self.lathe.frame.top)
+    fn is_first(&self, index: usize, t: f32, p: &F32x3, d: &F32x3, [slope, bend, c3]: [f32; 3]) -> bool {
+        let segments = self.lathe.segments;
+        let Some(segment) = segments.get(index) else {
+            return false;
         };
-        let is_end = if up { index == 0 } else { index + 1 == self.lathe.segments.len() };
+        let up = d.z >= 0.0;
+        let plane = if up { segment.low } else { segment.high };
+        let is_end = if up { index == 0 } else { index + 1 == segments.len() };
         // Where the ray comes into the slab, times dz.
         let way = plane - p.z;
         let (x, y) = (p.x * d.z + way * d.x, p.y * d.z + way * d.y);
-        let dz2 = d.z * d.z;
-        let l = self.longest;
-        if enters {
-            let middle = slope - 0.5 * bend * l;
-            let end = slope - bend * l + c3 * (l * l);
+        let (square, dz2) = (x * x + y * y, d.z * d.z);
+        if slope > 0.0 {
+            let l = self.longest;
+            let before = if up { segment.below } else { segment.above };
             let nearing = x * d.x + y * d.y;
-            middle > 0.0
-                && end > 0.0
+            slope - 0.5 * bend * l > 0.0
+                && slope - bend * l + c3 * (l * l) > 0.0
                 && (is_end
-                    || (x * x + y * y > before * dz2 && if up { nearing < 0.0 } else { nearing > 0.0 }))
+                    || square > before * dz2 && (nearing < 0.0) == up
+                    || self.keeps_side(index, p, d, up, false))
         } else {
-            let square = if up { segment.b[0] } else { segment.b[3] };
-            is_end
+            // How far back that is, times |dz|; g is positive there if it exceeds what rounding could make of zero.
+            let back = (way - t * d.z).abs();
+            let b = if up { segment.b[0] } else { segment.b[3] };
+            let dz = d.z.abs();
+            let end = if up { self.lathe.frame.base } else { self.lathe.frame.top };
+            b * dz2 > square * (1.0 + 1e-5)
+                && (-2.0 * slope * dz + bend * back > 0.0 || bend < 0.0 && bend * dz < 3.0 * c3 * back)
                 && end.is_none()
-                && bend < 0.0
-                && bend < 3.0 * c3 * l
-                && square * dz2 > (x * x + y * y) * (1.0 + 1e-5)
+                && (is_end || self.keeps_side(index, p, d, up, true))
         }
+    }
+
+    /// Whether the ray is inside, or outside, all through the slabs of the segments before one. Between the planes of a slab the Bernstein ordinates
+    /// of g are `b0 − ⟨A,A⟩, b1 − (⟨A,A⟩ + 2⟨A,B⟩)/3, b2 − (2⟨A,B⟩ + ⟨B,B⟩)/3, b3 − ⟨B,B⟩`; here times dz².
+    #[inline(never)]
+    fn keeps_side(&self, index: usize, p: &F32x3, d: &F32x3, up: bool, inside: bool) -> bool {
+        let segments = self.lathe.segments;
+        let before = if up { segments.get(..index) } else { segments.get(index + 1..) };
+        let dz2 = d.z * d.z;
+        let at = |z: f32| (p.x * d.z + (z - p.z) * d.x, p.y * d.z + (z - p.z) * d.y);
+        before.unwrap_or(&[]).iter().all(|segment| {
+            let ((ax, ay), (bx, by)) = (at(segment.low), at(segment.high));
+            let (aa, ab, bb) = (ax * ax + ay * ay, ax * bx + ay * by, bx * bx + by * by);
+            let [b0, b1, b2, b3] = segment.b;
+            // Far beyond what rounding could do to a sign.
+            let margin = 1e-5 * (aa + bb + segment.reach * dz2);
+            [
+                b0 * dz2 - aa,
+                b1 * dz2 - (aa + 2.0 * ab) * (1.0 / 3.0),
+                b2 * dz2 - (2.0 * ab + bb) * (1.0 / 3.0),
+                b3 * dz2 - bb,
+            ]
+            .iter()
+            .all(|&g| if inside { g > margin } else { g < -margin })
+        })
     }
 
     /// Whether all rays from the i-th on, so many, certainly miss.

@@ -20,7 +20,7 @@ mod segment;
 mod sweep;
 
 pub use segment::Segment;
-pub(crate) use sweep::{Glimpse, Sweep};
+pub(crate) use sweep::{Glimpse, Said, Sweep};
 
 use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};

@@ -2,7 +2,7 @@
 
 use crate::color::Rgb;
 use crate::hit::{Hit, Part};
-use crate::lathe::{Glimpse, Lathe, Sweep};
+use crate::lathe::{Glimpse, Lathe, Said, Sweep};
 use crate::light::Light;
 use crate::pose::Pose;
 use crate::ray::{Ray, Rays};
@@ -83,7 +83,8 @@ impl<'a> Solid<'a> {
             rays,
             len,
             sweep: Sweep::new(self.lathe, &rays, len),
-            stride: len,
+            stride: 8,
+            has_hit: false,
             light: Light { towards: back(light.towards), ..*light },
         }
     }
@@ -104,6 +105,8 @@ pub(crate) struct Seen<'a> {
     sweep: Sweep<'a>,
     /// How many rays at once were passed over last: as many, or fewer, may be again.
     stride: usize,
+    /// Whether the last ray has hit.
+    has_hit: bool,
     light: Light,
 }
 
@@ -112,17 +115,32 @@ impl Seen<'_> {
     #[inline(always)]
     pub fn next(&mut self, from: usize, depths: &[f32]) -> Option<(usize, f32, Rgb)> {
         let mut i = from;
+        // If all of them miss, nothing else need be asked.
+        if i == 0 && self.sweep.clears(0, self.len) {
+            return None;
+        }
         while i < self.len {
-            if !self.sweep.is_following() {
-                i = self.pass(i);
-            }
-            let depth = *depths.get(i)?;
-            let glimpse = match self.sweep.follow(i as f32) {
-                Some(glimpse) => Some(glimpse),
-                None => self.shoot(i),
+            let glimpse = match self.sweep.look(i as f32) {
+                Said::Hit(glimpse) => Some(glimpse),
+                Said::Unsure => {
+                    let passed = self.pass(i);
+                    if passed > i {
+                        i = passed;
+                        continue;
+                    }
+                    self.shoot(i)
+                }
+                Said::Miss(clear) => {
+                    let stride = (clear as usize).min(self.len - i - 1);
+                    if stride >= 4 && self.sweep.clears(i + 1, stride) {
+                        i += stride;
+                    }
+                    None
+                }
             };
+            self.has_hit = glimpse.is_some();
             if let Some(Glimpse { t, gradient, enters }) = glimpse
-                && t < depth
+                && t < *depths.get(i)?
             {
                 return Some((i, t, self.colour(i, gradient, enters)));
             }
@@ -132,15 +150,19 @@ impl Seen<'_> {
     }
 
     /// Passes over rays that certainly miss.
-    fn pass(&mut self, mut i: usize) -> usize {
+    #[inline(never)]
+    fn pass(&mut self, from: usize) -> usize {
+        if self.has_hit {
+            return from;
+        }
+        let mut i = from;
         while i < self.len {
             let stride = self.stride.min(self.len - i);
             if self.sweep.clears(i, stride) {
                 i += stride;
                 self.stride = 2 * stride;
             } else if stride < 4 {
-                self.stride = 4;
-                return i;
+                break;
             } else {
                 self.stride = stride / 2;
             }

@@ -22,21 +22,39 @@ pub(crate) struct Sweep<'a> {
     per_unit: f32,
     /// How far apart neighbouring rays are at most where the lathe is.
     pitch: f32,
+    /// How many rays it takes at least for g to change by one.
+    rays_per_g: f32,
     /// How long, in t, a ray can be in the lathe's bounding sphere at most.
     longest: f32,
-    last: Option<Last>,
+    last: Last,
 }
 
 /// What the last ray has found.
 #[derive(Clone, Copy)]
-struct Last {
-    segment: usize,
-    t: f32,
-    /// How much t changes from ray to ray.
-    ahead: f32,
-    /// About 1/(dg/dt).
-    per_slope: f32,
-    enters: bool,
+enum Last {
+    /// Nothing yet.
+    Nothing,
+    /// A hit.
+    Hit {
+        segment: usize,
+        t: f32,
+        /// How much t changes from ray to ray.
+        ahead: f32,
+        /// About 1/(dg/dt), NaN if not known.
+        per_slope: f32,
+    },
+    /// A miss: where g is largest.
+    Miss { segment: usize, t: f32 },
+}
+
+/// What a sweep can say of a ray.
+pub(crate) enum Said {
+    /// This is the nearest hit.
+    Hit(Glimpse),
+    /// It misses, and so do that many rays after it, if they may be asked [`Sweep::clears`].
+    Miss(f32),
+    /// Nothing certain.
+    Unsure,
 }
 
 /// A hit, and what its shading needs.
@@ -52,7 +70,7 @@ impl<'a> Sweep<'a> {
     /// Of so many rays, given in object space.
     pub fn new(lathe: &'a Lathe, rays: &Rays, len: usize) -> Self {
         let view = lathe.view();
-        let Frame { scale, middle, root_squash, reach, high, .. } = *view.frame;
+        let Frame { scale, middle, root_squash, reach, high, steepest, .. } = *view.frame;
         let origin = F32x3 { z: rays.origin.z - middle, ..rays.origin } * scale;
         let origin_step = rays.origin_step * scale;
         let half = 0.5 * len as f32;
@@ -84,30 +102,102 @@ impl<'a> Sweep<'a> {
             shift,
             per_unit: 1.0 / (scale * rays.unit),
             pitch,
+            rays_per_g: 1.0 / (pitch * (2.0 * Native::sqrt(reach) + steepest)),
             longest,
-            last: None,
+            last: Last::Nothing,
         }
     }
 
     /// The next ray is like one that has hit.
     pub fn begin(&mut self, hit: &Hit) {
-        self.last = Some(Last {
+        self.last = Last::Hit {
             segment: hit.segment,
             t: hit.t / self.per_unit - self.shift,
             ahead: 0.0,
             per_slope: f32::NAN,
-            enters: hit.enters,
-        });
+        };
     }
 
     /// The next ray is not like the last.
     pub fn end(&mut self) {
-        self.last = None;
+        self.last = Last::Nothing;
     }
 
-    /// Whether the last ray has hit.
-    pub fn is_following(&self) -> bool {
-        self.last.is_some()
+    /// What can be said of the i-th ray, given what the last one has found.
+    #[inline(always)]
+    pub fn look(&mut self, i: f32) -> Said {
+        let (p, d) = (self.place + self.place_step * i, self.direction + self.direction_step * i);
+        if let Last::Hit { segment, t, ahead, per_slope } = self.last {
+            if let Some(glimpse) = self.follow(&p, &d, segment, t, ahead, per_slope) {
+                return Said::Hit(glimpse);
+            }
+        }
+        self.graze(&p, &d)
+    }
+
+    /// Where g is largest along a ray: below zero it may be a certain miss, above it tells where to follow the hit from.
+    ///
+    /// From where it was on the last ray, by Newton's method on dg/dt. With `g = c0 + c2·s² + c3·s³` about there and |s| ≤ l, g stays below zero
+    /// if c0 and c2 + |c3|·l are; l is the longest way in the lathe, or through the slab. The slabs before and behind are dealt with as for a hit.
+    #[inline(never)]
+    fn graze(&mut self, p: &F32x3, d: &F32x3) -> Said {
+        let (mut index, mut t) = match self.last {
+            Last::Nothing => {
+                let t = -(p.x * d.x + p.y * d.y) / (d.x * d.x + d.y * d.y);
+                let z = p.z + t * d.z;
+                (self.lathe.segments.iter().take_while(|segment| segment.high < z).count(), t)
+            }
+            Last::Hit { segment, t, .. } | Last::Miss { segment, t } => (segment, t),
+        };
+        self.last = Last::Nothing;
+        let q = d.x * d.x + d.y * d.y;
+        let mut steps = 0;
+        let (g, bend, curl) = loop {
+            let Some(segment) = self.lathe.segments.get(index) else {
+                return Said::Unsure;
+            };
+            let [f0, f1, f2, f3] = segment.f;
+            let du = d.z * segment.per_height;
+            let (x, y, u) =
+                (p.x + t * d.x, p.y + t * d.y, (p.z + t * d.z - segment.low) * segment.per_height);
+            let slope = ((3.0 * f3 * u + (f2 + f2)) * u + f1) * du - 2.0 * (x * d.x + y * d.y);
+            let bend = (3.0 * f3 * u + f2) * (du * du) - q;
+            let step = -0.5 * slope / bend;
+            if !(bend < 0.0 && steps < 6) {
+                return Said::Unsure;
+            }
+            steps += 1;
+            let g = ((f3 * u + f2) * u + f1) * u + f0 - (x * x + y * y);
+            t += step;
+            let u = u + step * du;
+            if u < 0.0 {
+                index = index.wrapping_sub(1);
+            } else if u > 1.0 {
+                index += 1;
+            } else if step.abs() < 1.0 / 1024.0 {
+                // The value at the vertex, to the third order in the step.
+                let l = (self.longest + 0.01) * du.abs();
+                break (g + 0.5 * step * slope, bend, (f3 * (du * du)).abs() * if l < 1.0 { l } else { 1.0 });
+            }
+        };
+        let margin = 1e-5;
+        if g > margin {
+            // The root before the vertex.
+            let per_slope = Native::sqrt(-1.0 / (g * bend)) * 0.5;
+            let back = 2.0 * g * per_slope;
+            if let Some(glimpse) = self.follow(p, d, index, t - back, 0.0, per_slope) {
+                return Said::Hit(glimpse);
+            }
+            return Said::Unsure;
+        }
+        let up = d.z >= 0.0;
+        let clear =
+            |up: bool| self.is_outside_before(index, p, d, up) || self.keeps_side(index, p, d, up, false);
+        if g < -margin && bend + curl < 0.0 && clear(up) && clear(!up) {
+            self.last = Last::Miss { segment: index, t };
+            return Said::Miss(-g * self.rays_per_g);
+        }
+        Said::Unsure
     }
 
     /// The nearest hit of the i-th ray, if it follows from the last one's and can be certified.
@@ -125,13 +215,17 @@ impl<'a> Sweep<'a> {
     /// positive where it comes in. Before the segment: none, if it is the first; otherwise the ray comes
     /// into the segment's slab farther from the axis than any segment before reaches, and was farther before.
     #[inline(always)]
-    pub fn follow(&mut self, i: f32) -> Option<Glimpse> {
-        let last = self.last?;
-        let (p, d) = (self.place + self.place_step * i, self.direction + self.direction_step * i);
+    fn follow(
+        &mut self,
+        p: &F32x3,
+        d: &F32x3,
+        mut index: usize,
+        last: f32,
+        ahead: f32,
+        mut r: f32,
+    ) -> Option<Glimpse> {
         let q = d.x * d.x + d.y * d.y;
-        let mut t = last.t + last.ahead;
-        let mut index = last.segment;
-        let mut r = last.per_slope;
+        let mut t = last + ahead;
         let mut changes = 0;
         loop {
             let segment = self.lathe.segments.get(index)?;
@@ -174,21 +268,17 @@ impl<'a> Sweep<'a> {
             }
             let c3 = f3 * (du * du * du);
             let far = t + self.shift;
-            if (slope > 0.0) != last.enters
-                || !(far > 0.0)
-                || !self.is_first(index, t, &p, &d, [slope, bend, c3])
-            {
+            if !(far > 0.0) || !self.is_first(index, t, p, d, [slope, bend, c3]) {
                 return None;
             }
-            let ahead = t - last.t;
-            let ahead = if last.per_slope.is_nan() { 0.0 } else { ahead };
-            self.last = Some(Last { segment: index, t, ahead, per_slope: r, ..last });
+            self.last = Last::Hit { segment: index, t, ahead: t - last, per_slope: r };
+            let enters = slope > 0.0;
             let slope = ((3.0 * f3 * u + (f2 + f2)) * u + f1) * segment.per_height;
             let root_squash = self.lathe.frame.root_squash;
             return Some(Glimpse {
                 t: far * self.per_unit,
                 gradient: F32x3 { x: root_squash * (p.x + t * d.x), y: p.y + t * d.y, z: -0.5 * slope },
-                enters: last.enters,
+                enters,
             });
         }
     }
@@ -208,11 +298,10 @@ impl<'a> Sweep<'a> {
         let (x, y) = (p.x * d.z + way * d.x, p.y * d.z + way * d.y);
         let (square, dz2) = (x * x + y * y, d.z * d.z);
         if slope > 0.0 {
-            let l = self.longest;
             let before = if up { segment.below } else { segment.above };
             let nearing = x * d.x + y * d.y;
-            slope - 0.5 * bend * l > 0.0
-                && slope - bend * l + c3 * (l * l) > 0.0
+            let alone = |l: f32| slope - 0.5 * bend * l > 0.0 && slope - bend * l + c3 * (l * l) > 0.0;
+            (alone(self.longest) || alone((way / d.z - t).abs()))
                 && (is_end
                     || square > before * dz2 && (nearing < 0.0) == up
                     || self.keeps_side(index, p, d, up, false))
@@ -227,6 +316,20 @@ impl<'a> Sweep<'a> {
                 && end.is_none()
                 && (is_end || self.keeps_side(index, p, d, up, true))
         }
+    }
+
+    /// Whether the ray, or its reverse, comes into a segment's slab farther from the axis than the segments before reach, and from farther still; or there are none.
+    #[inline(always)]
+    fn is_outside_before(&self, index: usize, p: &F32x3, d: &F32x3, up: bool) -> bool {
+        let segments = self.lathe.segments;
+        let Some(segment) = segments.get(index) else {
+            return false;
+        };
+        let (plane, before) = if up { (segment.low, segment.below) } else { (segment.high, segment.above) };
+        let way = plane - p.z;
+        let (x, y) = (p.x * d.z + way * d.x, p.y * d.z + way * d.y);
+        let nearing = x * d.x + y * d.y;
+        before == 0.0 || x * x + y * y > before * (d.z * d.z) && (nearing < 0.0) == up
     }
 
     /// Whether the ray is inside, or outside, all through the slabs of the segments before one. Between the planes of a slab the Bernstein ordinates

@@ -102,12 +102,16 @@ impl Path {
             }
         }
         lathe.segments.iter().enumerate().all(|(index, segment)| {
+            let (a, b) = (self.plane(segment.low), self.plane(segment.high));
+            let (from, to) = (enter.max(a.min(b)), leave.min(a.max(b)));
+            if !(from < to) {
+                return true;
+            }
             let radius = widened(segment.reach);
             let Some((near, far)) = self.within::<Native>(radius * radius) else {
                 return true;
             };
-            let (a, b) = (self.plane(segment.low), self.plane(segment.high));
-            let (from, to) = (enter.max(near).max(a.min(b)), leave.min(far).min(a.max(b)));
+            let (from, to) = (from.max(near), to.min(far));
             !(from < to)
                 || Chord::new(self, segment, index, [from, to], Some(false), true)
                     .is_below(-(2.0 * delta * radius + steep))

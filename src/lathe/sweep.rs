@@ -38,8 +38,9 @@ enum Last {
     Hit {
         segment: usize,
         t: f32,
-        /// How much t changes from ray to ray.
+        /// How much t changes from ray to ray, and how much that does.
         ahead: f32,
+        curve: f32,
         /// About 1/(dg/dt), NaN if not known.
         per_slope: f32,
     },
@@ -114,6 +115,7 @@ impl<'a> Sweep<'a> {
             segment: hit.segment,
             t: hit.t / self.per_unit - self.shift,
             ahead: 0.0,
+            curve: 0.0,
             per_slope: f32::NAN,
         };
     }
@@ -127,8 +129,8 @@ impl<'a> Sweep<'a> {
     #[inline(always)]
     pub fn look(&mut self, i: f32) -> Said {
         let (p, d) = (self.place + self.place_step * i, self.direction + self.direction_step * i);
-        if let Last::Hit { segment, t, ahead, per_slope } = self.last {
-            if let Some(glimpse) = self.follow(&p, &d, segment, t, ahead, per_slope) {
+        if let Last::Hit { segment, t, ahead, curve, per_slope } = self.last {
+            if let Some(glimpse) = self.follow(&p, &d, segment, t, [ahead, curve], per_slope) {
                 return Said::Hit(glimpse);
             }
         }
@@ -185,7 +187,7 @@ impl<'a> Sweep<'a> {
             // The root before the vertex.
             let per_slope = Native::sqrt(-1.0 / (g * bend)) * 0.5;
             let back = 2.0 * g * per_slope;
-            if let Some(glimpse) = self.follow(p, d, index, t - back, 0.0, per_slope) {
+            if let Some(glimpse) = self.follow(p, d, index, t - back, [0.0; 2], per_slope) {
                 return Said::Hit(glimpse);
             }
             return Said::Unsure;
@@ -221,11 +223,11 @@ impl<'a> Sweep<'a> {
         d: &F32x3,
         mut index: usize,
         last: f32,
-        ahead: f32,
+        [ahead, curve]: [f32; 2],
         mut r: f32,
     ) -> Option<Glimpse> {
         let q = d.x * d.x + d.y * d.y;
-        let mut t = last + ahead;
+        let mut t = last + ahead + curve;
         let mut changes = 0;
         loop {
             let segment = self.lathe.segments.get(index)?;
@@ -271,7 +273,10 @@ impl<'a> Sweep<'a> {
             if !(far > 0.0) || !self.is_first(index, t, p, d, [slope, bend, c3]) {
                 return None;
             }
-            self.last = Last::Hit { segment: index, t, ahead: t - last, per_slope: r };
+            // Two rays tell where t goes, three how it bends.
+            let next = t - last;
+            let curve = if ahead == 0.0 { 0.0 } else { next - ahead };
+            self.last = Last::Hit { segment: index, t, ahead: next, curve, per_slope: r };
             let enters = slope > 0.0;
             let slope = ((3.0 * f3 * u + (f2 + f2)) * u + f1) * segment.per_height;
             let root_squash = self.lathe.frame.root_squash;

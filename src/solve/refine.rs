@@ -32,8 +32,7 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         let value = g.at(u);
         let rounding = UNIT * g.size(u);
         let step = value / g.slope(u);
-        // `min` passes over the NaN of a turning point that is not there.
-        let reach = 0.5 * (u - piece.left.at).min(piece.right.at - u);
+        let reach = 0.5 * lesser(u - piece.left.at, piece.right.at - u);
         let far = step.abs() > reach;
         let left = step * step * (c2 + 3.0 * c3 * u - c3 * step);
         let last = !far && left.abs() <= 0.125 * rounding;
@@ -58,5 +57,12 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
             break;
         }
     }
-    u.clamp(piece.lo, piece.hi)
+    // Not `clamp`, which panics if the ends are out of order, so that firmware would carry the message.
+    if u > piece.lo { if u < piece.hi { u } else { piece.hi } } else { piece.lo }
+}
+
+/// The lesser of two numbers, of which one may be the NaN of a turning point that is not there. In line, where `f32::min` is a call.
+#[inline(always)]
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b || b.is_nan() { a } else { b }
 }

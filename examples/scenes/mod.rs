@@ -1,24 +1,27 @@
 //! The reference scenes: every figure of speed and every reference picture names one of these. All of them
 //! are constants, in flash.
 
+pub mod fine;
+
 use core::f32::consts::PI;
 use embedded_lathe::{
     Background, Camera, End, Lathe, Light, Pose, Profile, Rgb, Rotation, Scene, Segment, Solid, valid,
 };
 
+/// The vase's joins, bottom to top.
+pub const VASE_KNOTS: [f32; 5] = [0.0, 0.25, 0.6, 0.85, 1.0];
+
+/// The vase's squared radii.
+pub const VASE_ORDINATES: [f32; 13] = [
+    0.04, 0.16, 0.2, //
+    0.2, 0.2, 0.12, //
+    0.05, 0.0, 0.01, //
+    0.03, 0.042, 0.06, 0.07,
+];
+
 /// A vase, open at the top.
-pub static VASE: Lathe<[Segment; 4]> = Lathe::turn(
-    valid!(Profile::new(
-        &[0.0, 0.25, 0.6, 0.85, 1.0],
-        &[
-            0.04, 0.16, 0.2, //
-            0.2, 0.2, 0.12, //
-            0.05, 0.0, 0.01, //
-            0.03, 0.042, 0.06, 0.07,
-        ],
-    ))
-    .base(End::Capped),
-);
+pub static VASE: Lathe<[Segment; 4]> =
+    Lathe::turn(valid!(Profile::new(&VASE_KNOTS, &VASE_ORDINATES)).base(End::Capped));
 
 /// A chess pawn: a foot, a collar and a head, cylinders, cones and a sphere, each exact.
 pub static PAWN: Lathe<[Segment; 4]> = Lathe::turn(

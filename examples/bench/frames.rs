@@ -1,0 +1,82 @@
+//! Whole frames of the reference scenes.
+
+use crate::{region::measure, report::line, scenes, sink::Sink, stack};
+use core::hint::black_box;
+use cortex_m_semihosting::hprintln;
+use embedded_lathe::Scene;
+
+#[cfg(target_abi = "eabihf")]
+mod display {
+    pub use embedded_graphics::pixelcolor::Rgb565 as Color;
+    pub const BLANK: Color = Color::new(0, 0, 0);
+    pub const WIDTH: u32 = 240;
+    pub const HEIGHT: u32 = 240;
+}
+
+/// The OLED demo's: without hardware for floats a frame takes ten times as long.
+#[cfg(not(target_abi = "eabihf"))]
+mod display {
+    pub use embedded_graphics::pixelcolor::Gray4 as Color;
+    pub const BLANK: Color = Color::new(0);
+    pub const WIDTH: u32 = 128;
+    pub const HEIGHT: u32 = 64;
+}
+
+pub use display::{HEIGHT, WIDTH};
+
+type Row = [display::Color; WIDTH as usize];
+
+const BLANK: Row = [display::BLANK; WIDTH as usize];
+
+const SCENES: [(&str, &Scene); 5] = [
+    ("vase", &scenes::VASE_SCENE),
+    ("tilted vase", &scenes::TILTED_SCENE),
+    ("still life", &scenes::STILL_LIFE),
+    ("inside", &scenes::INSIDE_SCENE),
+    ("vase of 64 segments", &scenes::fine::SCENE),
+];
+
+/// Columns and rows of all pixels.
+pub fn pixels() -> impl Iterator<Item = (u32, u32)> {
+    (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y)))
+}
+
+/// By rows into one buffer; the vase by `draw` as well.
+pub fn measured() {
+    let mut row = BLANK;
+    for (name, scene) in SCENES {
+        frame(name, scene, || rows(scene, &mut row));
+    }
+    frame("vase drawn", &scenes::VASE_SCENE, || draw(&scenes::VASE_SCENE));
+}
+
+/// How much stack they take below their caller's.
+pub fn stacks() {
+    let mut row = BLANK;
+    for (name, scene) in SCENES {
+        let (rows, draw) = (stack::depth(|| rows(scene, &mut row)), stack::depth(|| draw(scene)));
+        hprintln!("# {}: {} bytes of stack by rows, {} drawn", name, rows, draw);
+    }
+}
+
+fn frame(name: &str, scene: &Scene, work: impl FnOnce()) {
+    let ((), instructions) = measure(work);
+    let seen = |(x, y): &(u32, u32)| {
+        let ray = scene.camera.ray(*x, *y, WIDTH, HEIGHT);
+        scene.solids.iter().any(|solid| solid.nearest(&ray, 0.0).is_some())
+    };
+    line(name, (WIDTH * HEIGHT).into(), pixels().filter(seen).count() as u64, instructions);
+}
+
+#[inline(never)]
+fn rows(scene: &Scene, row: &mut Row) {
+    let picture = black_box(scene).picture(WIDTH, HEIGHT);
+    for y in 0..HEIGHT {
+        picture.row(y, black_box(&mut row[..]));
+    }
+}
+
+#[inline(never)]
+fn draw(scene: &Scene) {
+    let Ok(()) = black_box(scene).draw(&mut Sink::<display::Color>::new(WIDTH, HEIGHT));
+}

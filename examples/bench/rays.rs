@@ -1,0 +1,30 @@
+//! Rays one by one, as if each were the only one: all those of the vase's frame.
+
+use crate::{
+    frames::{HEIGHT, WIDTH, pixels},
+    region::measure,
+    report::line,
+    scenes::{self, VASE_SCENE},
+};
+use core::hint::black_box;
+use embedded_lathe::{Hit, Lathe, Ray};
+
+/// What making the rays takes is taken off.
+pub fn measured() {
+    let alone = rays("rays alone", 0, |_| None);
+    for (name, lathe) in
+        [("ray at the vase", &scenes::VASE as &Lathe), ("ray at 64 segments", &scenes::fine::VASE)]
+    {
+        rays(name, alone, |ray| black_box(lathe).nearest(ray, 0.0));
+    }
+}
+
+fn rays(name: &str, alone: u64, meet: impl Fn(&Ray) -> Option<Hit>) -> u64 {
+    let camera = &VASE_SCENE.camera;
+    let (hits, instructions) = measure(|| {
+        let hit = |(x, y)| black_box(meet(black_box(&camera.ray(x, y, WIDTH, HEIGHT)))).is_some();
+        pixels().map(hit).fold(0, |hits, hit| hits + u64::from(hit))
+    });
+    line(name, (WIDTH * HEIGHT).into(), hits, instructions.saturating_sub(alone));
+    instructions
+}

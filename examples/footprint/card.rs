@@ -1,0 +1,38 @@
+//! The OLED demo without its scenes, to subtract: what is left is the library's part. `tests/footprint.rs`.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+#[path = "../bare/mod.rs"]
+mod bare;
+#[cfg(target_os = "none")]
+#[path = "../oled/card.rs"]
+mod card;
+#[cfg(target_os = "none")]
+#[path = "../oled/firmware.rs"]
+mod firmware;
+#[cfg(target_os = "none")]
+#[path = "../oled/host.rs"]
+mod host;
+#[cfg(target_os = "none")]
+#[path = "../oled/panel.rs"]
+mod panel;
+
+#[cfg(target_os = "none")]
+mod show {
+    use embedded_graphics::{pixelcolor::Gray4, prelude::*};
+
+    pub const NAMES: [&[u8]; 1] = [b"card"];
+    pub const FRAMES: u32 = 24;
+
+    pub fn draw<D: DrawTarget<Color = Gray4>>(name: &[u8], n: u32, display: &mut D) -> Option<()> {
+        match name {
+            b"card" => crate::card::card((n % FRAMES) as i32, display).ok(),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    println!("cargo test --test footprint -- --ignored --nocapture");
+}

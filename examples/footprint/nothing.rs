@@ -1,0 +1,19 @@
+//! The least firmware there is, to subtract from the others: `tests/footprint.rs`.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+#[path = "../bare/mod.rs"]
+mod bare;
+
+#[cfg(target_os = "none")]
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    loop {
+        cortex_m::asm::wfi();
+    }
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    println!("cargo test --test footprint -- --ignored --nocapture");
+}

@@ -17,6 +17,7 @@ pub(crate) mod constant;
 mod libm;
 mod micromath;
 mod native;
+pub(crate) mod order;
 #[cfg(feature = "std")]
 mod std;
 

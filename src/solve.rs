@@ -34,6 +34,7 @@ pub use split::Split;
 pub(crate) use pieces::Crossings;
 
 use crate::cubic::Cubic;
+use crate::math::order::{greater, lesser};
 use crate::math::{Math, Native};
 use heapless::Vec;
 
@@ -120,15 +121,16 @@ impl Cubic {
     /// The cubic scaled by a power of two, so that its largest coefficient lies in [1, 4), and the interval
     /// made finite.
     fn within(&self, lo: f32, hi: f32) -> Option<(Self, f32, f32)> {
-        let [c0, c1, c2, c3] = self.c;
-        let largest = c0.abs().max(c1.abs()).max(c2.abs()).max(c3.abs());
-        if !(lo <= hi && self.c.iter().all(|c| c.is_finite())) {
+        // Magnitudes are ordered as their bits are, NaN above all.
+        let [b0, b1, b2, b3] = self.c.map(|c| c.abs().to_bits());
+        let largest = f32::from_bits(b0.max(b1).max(b2.max(b3)));
+        if !(lo <= hi && largest < f32::INFINITY) {
             return None;
         }
         let [up, again] = to_one(largest);
         let c = self.c.map(|c| c * up * again);
         let bound = f32::MAX;
-        Some((Self { c }, lo.max(-bound), hi.min(bound)))
+        Some((Self { c }, greater(-bound, lo), lesser(bound, hi)))
     }
 }
 

@@ -3,7 +3,7 @@
 
 pub use micromath::vector::{F32x3, Vector};
 
-use crate::math::constant;
+use crate::math::{constant, order::greater};
 
 /// The vector of three components.
 pub(crate) const fn vector([x, y, z]: [f32; 3]) -> F32x3 {
@@ -32,7 +32,7 @@ pub(crate) const fn cross(a: F32x3, b: F32x3) -> F32x3 {
 
 /// The largest magnitude among the components.
 pub(crate) const fn largest(v: F32x3) -> f32 {
-    v.x.abs().max(v.y.abs()).max(v.z.abs())
+    greater(greater(v.x.abs(), v.y.abs()), v.z.abs())
 }
 
 /// The vector times the power of two that brings its largest component into [1, 4), and that power. `None` if

@@ -2,6 +2,7 @@ use super::path::Path;
 use super::segment::Segment;
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
+use crate::math::order::{greater, lesser};
 use crate::solve::{Crossings, Solver};
 
 /// What of a ray lies in one segment's slab and cylinder, and g along it.
@@ -43,13 +44,13 @@ impl<'a> Chord<'a> {
         inside: Option<bool>,
         later: bool,
     ) -> Self {
-        let within = |t: f32| if t > from { if t < to { t } else { to } } else { from };
+        let within = |t: f32| lesser(to, greater(from, t));
         let mut origin = within(path.nearest);
         let mut here = Place::new(path, segment, origin);
         let narrow = within(path.plane(segment.narrowest));
         let away = narrow - path.nearest;
         if path.q * (away * away) < here.f {
-            let there = Place::new(path, segment, narrow);
+            let there = Place::elsewhere(path, segment, narrow);
             if there.f + path.q * (away * away) < here.f {
                 (origin, here) = (narrow, there);
             }
@@ -64,7 +65,7 @@ impl<'a> Chord<'a> {
             index,
             inside: match inside {
                 Some(inside) => inside,
-                None => Place::new(path, segment, from).g > 0.0,
+                None => Place::elsewhere(path, segment, from).g > 0.0,
             },
             later,
             origin,
@@ -155,6 +156,12 @@ impl Place {
             slope: slope * (path.dz * segment.per_height) - 2.0 * (x * path.dx + y * path.dy),
         }
     }
+
+    /// The same, apart: what few chords ask for need not be in line everywhere.
+    #[inline(never)]
+    fn elsewhere(path: &Path, segment: &Segment, t: f32) -> Self {
+        Self::new(path, segment, t)
+    }
 }
 
 impl Segment {
@@ -162,6 +169,6 @@ impl Segment {
     #[inline(always)]
     fn parameter(&self, z: f32) -> f32 {
         let u = (z - self.low) * self.per_height;
-        if u > 0.0 { if u < 1.0 { u } else { 1.0 } } else { 0.0 }
+        lesser(1.0, greater(0.0, u))
     }
 }

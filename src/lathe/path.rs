@@ -1,6 +1,7 @@
 use super::chord::Chord;
 use super::{Frame, View, is_beyond};
 use crate::hit::Hit;
+use crate::math::order::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::ray::Ray;
 use crate::solve::Solver;
@@ -153,7 +154,7 @@ pub(super) enum Meeting<'a> {
 /// order, until told to stop. The answer to a meeting is whether the ray is inside after it.
 ///
 /// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one)
-/// has an infinite t, or NaN, which `min` and `max` pass over: neither ray is a special case.
+/// has an infinite t, or NaN, which `lesser` and `greater` pass over: neither ray is a special case.
 #[inline(always)]
 pub(super) fn walk<S: Solver, B>(
     lathe: View<'_>,
@@ -167,23 +168,12 @@ pub(super) fn walk<S: Solver, B>(
 
     let (near, far) = path.within::<S::Math>(frame.reach)?;
     let slab = Slab::new(path, frame);
-    let enter = slab.near.max(near).max(first);
-    let leave = slab.far.min(far);
+    let enter = greater(greater(first, near), slab.near);
+    let leave = lesser(far, slab.far);
     // Not finite: the ray lies along an endless sheet, and g is the same all along it.
     if !(enter < leave && (leave - enter).is_finite()) {
         return None;
     }
-
-    let cap = |t: f32, low: bool, enters: bool| {
-        let hit = Hit {
-            t: path.distance(t),
-            segment: if low { 0 } else { segments.len() - 1 },
-            u: if low { 0.0 } else { 1.0 },
-            enters,
-            part: (if low { frame.base } else { frame.top })?,
-        };
-        is_beyond(hit.t, t_min).then_some(hit)
-    };
 
     // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here,
     // has g to tell.
@@ -198,10 +188,10 @@ pub(super) fn walk<S: Solver, B>(
         if exit <= at {
             continue;
         }
-        let end = exit.min(leave);
+        let end = lesser(leave, exit);
         let mut after = false;
         if let Some((near, far)) = path.within::<S::Math>(segment.reach) {
-            let (from, to) = (near.max(at), far.min(end));
+            let (from, to) = (greater(at, near), lesser(end, far));
             if from < to {
                 let known = if from > at { Some(false) } else { inside };
                 let chord = Chord::new(path, segment, index, [from, to], known, from > first);
@@ -209,7 +199,7 @@ pub(super) fn walk<S: Solver, B>(
                 if known.is_none()
                     && after
                     && enter > first
-                    && let Some(hit) = cap(enter, slab.up, true)
+                    && let Some(hit) = cap(frame, path, enter, t_min, slab.up, true)
                     && let ControlFlow::Break(found) = meet(Meeting::Cap(hit))
                 {
                     return Some(found);
@@ -232,12 +222,20 @@ pub(super) fn walk<S: Solver, B>(
     }
     if inside == Some(true)
         && leave == slab.far
-        && let Some(hit) = cap(leave, !slab.up, false)
+        && let Some(hit) = cap(frame, path, leave, t_min, !slab.up, false)
         && let ControlFlow::Break(found) = meet(Meeting::Cap(hit))
     {
         return Some(found);
     }
     None
+}
+
+/// The hit in the plane of an end, if part of the surface is there, beyond `t_min`.
+#[inline(never)]
+fn cap(frame: &Frame, path: &Path, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
+    let (segment, u, part) = if low { (0, 0.0, frame.base) } else { (frame.len - 1, 1.0, frame.top) };
+    let hit = Hit { t: path.distance(t), segment, u, enters, part: part? };
+    is_beyond(hit.t, t_min).then_some(hit)
 }
 
 /// From where to where a path is between the ends of a lathe.

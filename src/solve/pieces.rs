@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Turning {
-    /// Where, NaN if nowhere.
+    /// Where: −∞ or +∞ if there is none on that side.
     pub at: f32,
     /// The cubic's value there, +∞ if nowhere.
     pub value: f32,
@@ -16,13 +16,15 @@ pub struct Turning {
 }
 
 impl Turning {
-    /// No such point.
-    pub const NONE: Self = Self { at: f32::NAN, value: f32::INFINITY, bend: 0.0 };
+    /// None on the left.
+    pub const BEFORE: Self = Self { at: f32::NEG_INFINITY, value: f32::INFINITY, bend: 0.0 };
+    /// None on the right.
+    pub const BEYOND: Self = Self { at: f32::INFINITY, value: f32::INFINITY, bend: 0.0 };
 
     fn new(g: &Cubic, at: f32, bend: f32) -> Self {
         let value = g.at(at);
         // A vanishing leading coefficient sends one of the two points to infinity.
-        if value.is_finite() { Self { at, value, bend } } else { Self::NONE }
+        if value.is_finite() { Self { at, value, bend } } else { Self::BEYOND }
     }
 
     /// The turning points of `g` in ascending order, absent ones last. None or one of a quadratic, none or
@@ -35,15 +37,11 @@ impl Turning {
         let [_, c1, c2, c3] = g.c;
         let s = M::sqrt(difference_of_products(c2, 3.0 * c1, c3));
         if !(s > 0.0) {
-            return [Self::NONE; 2];
+            return [Self::BEYOND; 2];
         }
-        let (near, far) = if c2 >= 0.0 {
-            let sum = c2 + s;
-            (Self::new(g, -c1 / sum, s), Self::new(g, -sum / (3.0 * c3), -s))
-        } else {
-            let sum = s - c2;
-            (Self::new(g, c1 / sum, -s), Self::new(g, sum / (3.0 * c3), s))
-        };
+        let s = if c2 >= 0.0 { s } else { -s };
+        let sum = c2 + s;
+        let (near, far) = (Self::new(g, -c1 / sum, s), Self::new(g, -sum / (3.0 * c3), -s));
         if far.at < near.at { [far, near] } else { [near, far] }
     }
 }
@@ -70,9 +68,10 @@ pub(crate) struct Crossings<S> {
     g: Cubic,
     lo: f32,
     hi: f32,
-    turns: [Turning; 2],
-    /// The next piece: left of the first turning point, between the two, right of the second.
-    next: usize,
+    /// The turning points at the next piece's ends, and the one after.
+    left: Turning,
+    right: Turning,
+    after: Turning,
     /// The sign that the cubic is known to have now.
     positive: bool,
     solver: PhantomData<S>,
@@ -82,54 +81,48 @@ impl<S: Solver> Crossings<S> {
     /// `g` is positive (or negative) as the interval begins, whatever rounding makes of its value there.
     #[inline(always)]
     pub fn new(g: Cubic, lo: f32, hi: f32, positive: bool) -> Self {
-        Self { g, lo, hi, turns: Turning::of::<S::Math>(&g), next: 0, positive, solver: PhantomData }
+        let [right, after] = Turning::of::<S::Math>(&g);
+        Self { g, lo, hi, left: Turning::BEFORE, right, after, positive, solver: PhantomData }
     }
 
     /// The interval begins at a root: the sign is that at the end of the first piece, which has no other
     /// root.
     pub fn leave_root(&mut self) {
-        for k in 0..3 {
-            if let Some((_, value)) = self.piece(k) {
-                self.positive = value > 0.0;
-                self.next = k + 1;
-                return;
-            }
+        if let Some((_, value)) = self.piece() {
+            self.positive = value > 0.0;
         }
     }
 
-    /// The k-th piece and the cubic's value at its end, if any of it lies in the interval.
+    /// The next piece of which any lies in the interval, and the cubic's value at its end.
     #[inline(always)]
-    fn piece(&self, k: usize) -> Option<(Piece, f32)> {
-        let [first, second] = self.turns;
-        let (left, right) = match k {
-            0 => (Turning::NONE, first),
-            1 if !first.at.is_nan() => (first, second),
-            2 if !second.at.is_nan() => (second, Turning::NONE),
-            _ => return None,
-        };
-        let lo = if left.at > self.lo { left.at } else { self.lo };
-        let (hi, value) =
-            if right.at < self.hi { (right.at, right.value) } else { (self.hi, self.g.at(self.hi)) };
-        let piece = Piece { lo, hi, left, right, falling: self.positive };
-        (lo < hi).then_some((piece, value))
+    fn piece(&mut self) -> Option<(Piece, f32)> {
+        loop {
+            let (left, right) = (self.left, self.right);
+            // Or there is no point on the left, and so no piece.
+            if !(left.at < self.hi) {
+                return None;
+            }
+            (self.left, self.right, self.after) = (right, self.after, Turning::BEYOND);
+            let lo = if left.at > self.lo { left.at } else { self.lo };
+            let (hi, value) =
+                if right.at < self.hi { (right.at, right.value) } else { (self.hi, self.g.at(self.hi)) };
+            if lo < hi {
+                return Some((Piece { lo, hi, left, right, falling: self.positive }, value));
+            }
+        }
     }
 
     /// The next piece that holds a crossing, and the cubic's value at its end.
     #[inline(always)]
     fn crossing(&mut self) -> Option<(Piece, f32)> {
-        while self.next < 3 {
-            let k = self.next;
-            self.next += 1;
-            let Some((piece, value)) = self.piece(k) else {
-                continue;
-            };
+        loop {
+            let (piece, value) = self.piece()?;
             let crosses = if self.positive { value <= 0.0 } else { value >= 0.0 };
             if crosses {
                 self.positive = !self.positive;
                 return Some((piece, value));
             }
         }
-        None
     }
 
     /// Whether there is another crossing.

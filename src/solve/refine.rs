@@ -1,5 +1,6 @@
 use super::pieces::Piece;
 use crate::cubic::Cubic;
+use crate::math::order::{greater, lesser};
 
 /// Bisection alone would need one step a bit of the result, 24, after as many as the exponents differ.
 /// Newton's needs two or three; the rest is for those who call with an interval like ±10³⁸ and a bad seed.
@@ -34,8 +35,8 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         let step = value / g.slope(u);
         let reach = 0.5 * lesser(u - piece.left.at, piece.right.at - u);
         let far = step.abs() > reach;
-        let left = step * step * (c2 + 3.0 * c3 * u - c3 * step);
-        let last = !far && left.abs() <= 0.125 * rounding;
+        let rest = step * step * (c2 + 3.0 * c3 * u - c3 * step);
+        let last = !far && rest.abs() <= 0.125 * rounding;
         // Not `<=`: far out both may be infinite.
         if value.abs() < 2.0 * rounding || value == 0.0 {
             u -= if last { step } else { 0.0 };
@@ -58,11 +59,5 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         }
     }
     // Not `clamp`, which panics if the ends are out of order, so that firmware would carry the message.
-    if u > piece.lo { if u < piece.hi { u } else { piece.hi } } else { piece.lo }
-}
-
-/// The lesser of two numbers, of which one may be the NaN of a turning point that is not there. In line, where `f32::min` is a call.
-#[inline(always)]
-fn lesser(a: f32, b: f32) -> f32 {
-    if a < b || b.is_nan() { a } else { b }
+    greater(piece.lo, lesser(piece.hi, u))
 }

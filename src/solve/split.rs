@@ -28,14 +28,15 @@ impl<M: Math> Solver for Split<M> {
             (piece.right, -1.0)
         };
         let square = -turn.value / turn.bend;
-        if square >= 0.0 && square < f32::INFINITY {
+        // A negative one has a root that is not a number, and no b.
+        if square < f32::INFINITY {
             let e = side * M::sqrt(square);
             let b = -c3 * e / turn.bend;
             if b >= -1.0 {
                 return turn.at + e * phi(b);
             }
         }
-        from_inflection(g)
+        from_inflection(*g)
     }
 }
 
@@ -48,7 +49,11 @@ fn phi(b: f32) -> f32 {
 /// A seed where the cubic term rules. About the point of inflection i, with v = u − i:
 /// `c3·v³ + m·v + g(i) = 0`. With `z = ∛(−g(i)/c3)` and `μ = m/(3·c3)`, `z − μ/z` is close while z² is the
 /// larger (it is what remains of Cardano's two cube roots), and `−g(i)/m` where μ is.
-fn from_inflection(g: &Cubic) -> f32 {
+///
+/// Apart, since it is rare: in line, its five divisions are reckoned whether they are wanted or not.
+#[cold]
+#[inline(never)]
+fn from_inflection(g: Cubic) -> f32 {
     let [_, c1, c2, c3] = g.c;
     let i = -c2 / (3.0 * c3);
     let m = c1 + c2 * i;

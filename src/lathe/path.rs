@@ -82,7 +82,7 @@ impl Path {
             return true;
         };
         let (low, high) = (self.plane(frame.low - delta), self.plane(frame.high + delta));
-        let (enter, leave) = (near.max(low.min(high)), far.min(low.max(high)));
+        let (enter, leave) = (greater(near, lesser(low, high)), lesser(far, greater(low, high)));
         if !(enter <= leave) {
             // Out of the slab while in the cylinder; or NaN, which is no answer.
             return enter > leave;
@@ -93,9 +93,9 @@ impl Path {
             (frame.high + delta, frame.high, lathe.segments.last().map_or(0.0, |last| last.b[3])),
         ] {
             let (a, b) = (self.plane(outer), self.plane(inner));
-            let (from, to) = (enter.max(a.min(b)), leave.min(a.max(b)));
+            let (from, to) = (greater(enter, lesser(a, b)), lesser(leave, greater(a, b)));
             if from <= to {
-                let away = self.nearest.clamp(from, to) - self.nearest;
+                let away = lesser(to, greater(from, self.nearest)) - self.nearest;
                 let radius = widened(square);
                 if !(self.square + self.q * (away * away) > radius * radius) {
                     return false;
@@ -104,7 +104,7 @@ impl Path {
         }
         lathe.segments.iter().enumerate().all(|(index, segment)| {
             let (a, b) = (self.plane(segment.low), self.plane(segment.high));
-            let (from, to) = (enter.max(a.min(b)), leave.min(a.max(b)));
+            let (from, to) = (greater(enter, lesser(a, b)), lesser(leave, greater(a, b)));
             if !(from < to) {
                 return true;
             }
@@ -112,7 +112,7 @@ impl Path {
             let Some((near, far)) = self.within::<Native>(radius * radius) else {
                 return true;
             };
-            let (from, to) = (from.max(near), to.min(far));
+            let (from, to) = (greater(from, near), lesser(to, far));
             !(from < to)
                 || Chord::new(self, segment, index, [from, to], Some(false), true)
                     .is_below(-(2.0 * delta * radius + steep))

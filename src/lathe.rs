@@ -17,10 +17,8 @@
 mod chord;
 mod path;
 mod segment;
-mod sweep;
 
 pub use segment::Segment;
-pub(crate) use sweep::{Glimpse, Said, Sweep};
 
 use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
@@ -81,8 +79,6 @@ struct Frame {
     high: f32,
     /// The square of the bounding cylinder's radius, in the frame.
     reach: f32,
-    /// No less than the steepest slope of the squared radius over height, in the frame.
-    steepest: f32,
     /// What part of the surface the plane of the lower end holds: nothing if it is open, and the wall itself
     /// where that closes to a point.
     base: Option<Part>,
@@ -115,16 +111,6 @@ impl<const N: usize> Lathe<[Segment; N]> {
             segments[i] = Segment::new(&profile.spans[i], middle, scale);
             i += 1;
         }
-        let (mut below, mut above, mut steepest) = (0.0_f32, 0.0_f32, 0.0_f32);
-        let mut i = 0;
-        while i < len {
-            segments[i].below = below;
-            below = below.max(segments[i].reach);
-            steepest = steepest.max(segments[i].steepest());
-            i += 1;
-            segments[len - i].above = above;
-            above = above.max(segments[len - i].reach);
-        }
         let frame = Frame {
             len,
             squash: profile.squash,
@@ -134,7 +120,6 @@ impl<const N: usize> Lathe<[Segment; N]> {
             low: segments[0].low,
             high: segments[len - 1].high,
             reach: widened(largest * scale * scale),
-            steepest,
             base: plane(segments[0].b[0], profile.base, Part::Base),
             top: plane(segments[len - 1].b[3], profile.top, Part::Top),
         };

@@ -75,30 +75,6 @@ impl defmt::Format for Ray {
     }
 }
 
-/// The rays of neighbouring pixels: origin and direction are linear in the pixel's number.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Rays {
-    pub origin: F32x3,
-    pub origin_step: F32x3,
-    pub direction: F32x3,
-    pub direction_step: F32x3,
-    /// As a ray's.
-    pub unit: f32,
-}
-
-impl Rays {
-    /// The i-th.
-    #[inline(always)]
-    pub fn ray(&self, i: usize) -> Ray {
-        let i = i as f32;
-        Ray {
-            origin: self.origin + self.origin_step * i,
-            direction: self.direction + self.direction_step * i,
-            unit: self.unit,
-        }
-    }
-}
-
 /// What keeps numbers from being a ray.
 ///
 /// ```

@@ -3,14 +3,14 @@
 
 use crate::camera::Projection;
 use crate::color::{Paint, Rgb};
-use crate::ray::Rays;
 use crate::scene::Scene;
+use crate::solid::Rays;
 use crate::vector::F32x3;
 use core::num::NonZeroU32;
 
 /// How many pixels of a row are reckoned at once: what is common to them is found once, and their depths are
 /// kept until all solids have been seen.
-const RUN: usize = 32;
+const RUN: usize = 16;
 
 /// A scene as a picture of so many pixels: reckoned row by row, or pixel by pixel, when asked.
 ///
@@ -81,14 +81,12 @@ impl Picture<'_> {
         let rays = self.rays(x, y);
         let mut depths = [f32::INFINITY; RUN];
         for solid in *solids {
-            let mut seen = solid.seen_along(&rays, run.len(), light);
-            let mut i = 0;
-            while let Some((at, t, colour)) = seen.next(i, &depths) {
-                if let (Some(pixel), Some(depth)) = (run.get_mut(at), depths.get_mut(at)) {
+            let seen = solid.seen_along(&rays, light);
+            for (i, (pixel, depth)) in run.iter_mut().zip(&mut depths).enumerate() {
+                if let Some((t, colour)) = seen.pixel(i, *depth) {
                     *depth = t;
-                    *pixel = C::paint(colour, x + at as u32, y);
+                    *pixel = C::paint(colour, x + i as u32, y);
                 }
-                i = at + 1;
             }
         }
     }
@@ -103,13 +101,7 @@ impl Picture<'_> {
             Projection::Perspective => (none, step),
             Projection::Orthographic => (step, none),
         };
-        Rays {
-            origin: first.origin,
-            origin_step,
-            direction: first.direction,
-            direction_step,
-            unit: first.unit,
-        }
+        Rays { origin: first.origin, origin_step, direction: first.direction, direction_step }
     }
 
     /// The pixels of a rectangle, row by row from its upper left corner, reckoned as they are asked for.

@@ -1,11 +1,11 @@
 //! A lathe in the world, with a colour.
 
 use crate::color::Rgb;
-use crate::hit::{Hit, Part};
-use crate::lathe::{Glimpse, Lathe, Said, Sweep};
+use crate::hit::Hit;
+use crate::lathe::Lathe;
 use crate::light::Light;
 use crate::pose::Pose;
-use crate::ray::{Ray, Rays};
+use crate::ray::Ray;
 use crate::surface::{Surface, unit};
 use crate::vector::{F32x3, Vector};
 
@@ -68,23 +68,19 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The solid as seen along the rays of neighbouring pixels: all brought into object space, once.
-    pub(crate) fn seen_along(&self, rays: &Rays, len: usize, light: &Light) -> Seen<'a> {
+    /// The solid as seen along rays that change evenly: the first and the change from one to the next,
+    /// brought into object space once for all of them.
+    pub(crate) fn seen_along(&self, rays: &Rays, light: &Light) -> Seen<'a> {
         let (pose, back) = (&self.pose, |v| self.pose.rotation.back(v));
-        let rays = Rays {
-            origin: pose.point_into(rays.origin),
-            origin_step: back(rays.origin_step) * (1.0 / pose.scale),
-            direction: back(rays.direction),
-            direction_step: back(rays.direction_step),
-            unit: rays.unit / pose.scale,
-        };
         Seen {
             solid: *self,
-            rays,
-            len,
-            sweep: Sweep::new(self.lathe, &rays, len),
-            stride: 8,
-            has_hit: false,
+            rays: Rays {
+                origin: pose.point_into(rays.origin),
+                origin_step: back(rays.origin_step) * (1.0 / pose.scale),
+                direction: back(rays.direction),
+                direction_step: back(rays.direction_step),
+            },
+            unit: 1.0 / pose.scale,
             light: Light { towards: back(light.towards), ..*light },
         }
     }
@@ -97,105 +93,49 @@ impl defmt::Format for Solid<'_> {
     }
 }
 
+/// The rays of neighbouring pixels: origin and direction are linear in the pixel's number.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rays {
+    pub origin: F32x3,
+    pub origin_step: F32x3,
+    pub direction: F32x3,
+    pub direction_step: F32x3,
+}
+
 /// A solid, some rays and the light, all in the solid's own space.
 pub(crate) struct Seen<'a> {
     solid: Solid<'a>,
     rays: Rays,
-    len: usize,
-    sweep: Sweep<'a>,
-    /// How many rays at once were passed over last: as many, or fewer, may be again.
-    stride: usize,
-    /// Whether the last ray has hit.
-    has_hit: bool,
+    unit: f32,
     light: Light,
 }
 
 impl Seen<'_> {
-    /// The first ray from the i-th on that sees the solid nearer than `depths` has it, the distance, and the colour.
+    /// The distance and the colour of what the i-th ray sees of the solid, nearer than `nearest`.
     #[inline(always)]
-    pub fn next(&mut self, from: usize, depths: &[f32]) -> Option<(usize, f32, Rgb)> {
-        let mut i = from;
-        // If all of them miss, nothing else need be asked.
-        if i == 0 && self.sweep.clears(0, self.len) {
-            return None;
-        }
-        while i < self.len {
-            let glimpse = match self.sweep.look(i as f32) {
-                Said::Hit(glimpse) => Some(glimpse),
-                Said::Unsure => {
-                    let passed = self.pass(i);
-                    if passed > i {
-                        i = passed;
-                        continue;
-                    }
-                    self.shoot(i)
-                }
-                Said::Miss(clear) => {
-                    let stride = (clear as usize).min(self.len - i - 1);
-                    if stride >= 4 && self.sweep.clears(i + 1, stride) {
-                        i += stride;
-                    }
-                    None
-                }
-            };
-            self.has_hit = glimpse.is_some();
-            if let Some(Glimpse { t, gradient, enters }) = glimpse
-                && t < *depths.get(i)?
-            {
-                return Some((i, t, self.colour(i, gradient, enters)));
-            }
-            i += 1;
-        }
-        None
-    }
-
-    /// Passes over rays that certainly miss.
-    #[inline(never)]
-    fn pass(&mut self, from: usize) -> usize {
-        if self.has_hit {
-            return from;
-        }
-        let mut i = from;
-        while i < self.len {
-            let stride = self.stride.min(self.len - i);
-            if self.sweep.clears(i, stride) {
-                i += stride;
-                self.stride = 2 * stride;
-            } else if stride < 4 {
-                break;
-            } else {
-                self.stride = stride / 2;
-            }
-        }
-        i
-    }
-
-    /// One ray by itself.
-    fn shoot(&mut self, i: usize) -> Option<Glimpse> {
-        let ray = self.rays.ray(i);
-        let lathe = self.solid.lathe;
-        let Some(hit) = lathe.nearest(&ray, 0.0) else {
-            self.sweep.end();
-            return None;
+    pub fn pixel(&self, i: usize, nearest: f32) -> Option<(f32, Rgb)> {
+        let i = i as f32;
+        let ray = Ray {
+            origin: self.rays.origin + self.rays.origin_step * i,
+            direction: self.rays.direction + self.rays.direction_step * i,
+            unit: self.unit,
         };
-        match hit.part {
-            Part::Wall => self.sweep.begin(&hit),
-            _ => self.sweep.end(),
-        }
-        Some(Glimpse { t: hit.t, gradient: lathe.gradient(ray.at(hit.t), &hit), enters: hit.enters })
+        let lathe = self.solid.lathe;
+        let hit = lathe.nearest(&ray, 0.0)?;
+        (hit.t < nearest).then(|| (hit.t, self.colour(&ray, &hit)))
     }
 
     /// The wall seen from within turns its other side.
     #[inline(always)]
-    fn colour(&self, i: usize, gradient: F32x3, enters: bool) -> Rgb {
-        let Solid { colour, shininess, .. } = self.solid;
-        let normal = unit(gradient);
-        let side = if enters { 1.0 } else { -1.0 };
+    fn colour(&self, ray: &Ray, hit: &Hit) -> Rgb {
+        let Solid { lathe, colour, shininess, .. } = self.solid;
+        let normal = unit(lathe.gradient(ray.at(hit.t), hit));
+        let side = if hit.enters { 1.0 } else { -1.0 };
         let nl = side * normal.dot(self.light.towards);
         if shininess == 0 {
             return self.light.shade(colour, 0, nl, 0.0, 0.0);
         }
-        let view = unit(self.rays.ray(i).direction);
+        let view = unit(ray.direction);
         let (nv, lv) = (-side * normal.dot(view), -self.light.towards.dot(view));
         self.light.shade(colour, shininess, nl, nv, lv)
     }

@@ -1,8 +1,8 @@
 use super::chord::Chord;
 use super::{Frame, View, is_beyond};
 use crate::hit::Hit;
+use crate::math::Math;
 use crate::math::order::{greater, lesser};
-use crate::math::{Math, Native};
 use crate::ray::Ray;
 use crate::solve::Solver;
 use crate::vector::{F32x3, vector};
@@ -70,53 +70,6 @@ impl Path {
             shift,
             per_unit,
         }
-    }
-
-    /// Whether g is below −2δ·ρ − δ·slope all along: every ray within δ of this one misses. See [`Sweep::clears`](super::sweep::Sweep::clears).
-    pub fn clears(&self, lathe: View<'_>, delta: f32) -> bool {
-        let frame = lathe.frame;
-        let steep = frame.steepest * delta;
-        let widened = |square: f32| Native::sqrt(square + steep) + delta;
-        let radius = widened(frame.reach);
-        let Some((near, far)) = self.within::<Native>(radius * radius) else {
-            return true;
-        };
-        let (low, high) = (self.plane(frame.low - delta), self.plane(frame.high + delta));
-        let (enter, leave) = (greater(near, lesser(low, high)), lesser(far, greater(low, high)));
-        if !(enter <= leave) {
-            // Out of the slab while in the cylinder; or NaN, which is no answer.
-            return enter > leave;
-        }
-        // Beyond the ends the nearest point of the solid is an end's.
-        for (outer, inner, square) in [
-            (frame.low - delta, frame.low, lathe.segments.first().map_or(0.0, |first| first.b[0])),
-            (frame.high + delta, frame.high, lathe.segments.last().map_or(0.0, |last| last.b[3])),
-        ] {
-            let (a, b) = (self.plane(outer), self.plane(inner));
-            let (from, to) = (greater(enter, lesser(a, b)), lesser(leave, greater(a, b)));
-            if from <= to {
-                let away = lesser(to, greater(from, self.nearest)) - self.nearest;
-                let radius = widened(square);
-                if !(self.square + self.q * (away * away) > radius * radius) {
-                    return false;
-                }
-            }
-        }
-        lathe.segments.iter().enumerate().all(|(index, segment)| {
-            let (a, b) = (self.plane(segment.low), self.plane(segment.high));
-            let (from, to) = (greater(enter, lesser(a, b)), lesser(leave, greater(a, b)));
-            if !(from < to) {
-                return true;
-            }
-            let radius = widened(segment.reach);
-            let Some((near, far)) = self.within::<Native>(radius * radius) else {
-                return true;
-            };
-            let (from, to) = (greater(from, near), lesser(to, far));
-            !(from < to)
-                || Chord::new(self, segment, index, [from, to], Some(false), true)
-                    .is_below(-(2.0 * delta * radius + steep))
-        })
     }
 
     /// From where to where the path is in a cylinder about the axis, of the radius whose square is given.

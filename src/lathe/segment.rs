@@ -5,7 +5,7 @@ use crate::profile::Span;
 ///
 /// ```
 /// use embedded_lathe::Segment;
-/// assert_eq!(core::mem::size_of::<Segment>(), 60);
+/// assert_eq!(core::mem::size_of::<Segment>(), 52);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -23,9 +23,6 @@ pub struct Segment {
     /// The square of the radius of a cylinder around the segment, wide enough that a point on it is outside
     /// whatever rounding does.
     pub(super) reach: f32,
-    /// The largest reach among the segments below, and among those above.
-    pub(super) below: f32,
-    pub(super) above: f32,
 }
 
 /// A squared radius widened by 2⁻⁹, a thousand times the rounding of anything compared with it.
@@ -40,17 +37,8 @@ pub(super) const fn power_of_two_for(square: f32) -> f32 {
 }
 
 impl Segment {
-    pub(super) const EMPTY: Self = Self {
-        low: 0.0,
-        high: 0.0,
-        per_height: 0.0,
-        f: [0.0; 4],
-        b: [0.0; 4],
-        narrowest: 0.0,
-        reach: 0.0,
-        below: 0.0,
-        above: 0.0,
-    };
+    pub(super) const EMPTY: Self =
+        Self { low: 0.0, high: 0.0, per_height: 0.0, f: [0.0; 4], b: [0.0; 4], narrowest: 0.0, reach: 0.0 };
 
     pub(super) const fn new(span: &Span, middle: f32, scale: f32) -> Self {
         let square = scale * scale;
@@ -65,15 +53,7 @@ impl Segment {
             b,
             narrowest: low + span.narrowest * (high - low),
             reach: widened(span.largest * square),
-            below: 0.0,
-            above: 0.0,
         }
-    }
-
-    /// No less than the steepest slope of the squared radius over height: that of the steepest leg of the Bézier polygon.
-    pub(super) const fn steepest(&self) -> f32 {
-        let [b0, b1, b2, b3] = self.b;
-        3.0 * (b1 - b0).abs().max((b2 - b1).abs()).max((b3 - b2).abs()) * self.per_height
     }
 
     /// The squared radius and its derivative by u, in Bernstein form, 0 ≤ u ≤ 1: exact to a few units of 2⁻²⁴

@@ -20,7 +20,9 @@ impl Extremes {
     pub const fn of(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
         let size = b0.abs().max(b1.abs()).max(b2.abs()).max(b3.abs());
-        let (mut least, mut narrowest) = if b0 <= b3 { (b0, 0.0) } else { (b3, 1.0) };
+        // Of two ends as narrow, the one that comes to a point.
+        let lower = b0 < b3 || b0 == b3 && (b1 - b0).abs() <= (b2 - b3).abs();
+        let (mut least, mut narrowest) = if lower { (b0, 0.0) } else { (b3, 1.0) };
         let mut largest = b0.max(b3);
         // Scaled, so that squares of differences neither over- nor underflow. The derivative is 3·(d0·(1−u)²
         // + 2·d1·u(1−u) + d2·u²).

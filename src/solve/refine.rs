@@ -6,20 +6,40 @@ use crate::math::order::{greater, lesser};
 /// Newton's needs two or three; the rest is for those who call with an interval like ±10³⁸ and a bad seed.
 const MOST_STEPS: u32 = 160;
 
-/// The root of `g` in a monotone piece, by Newton's method from `seed`, held in the bracket that the signs of
-/// `g` draw ever closer. A step that leaves the bracket is replaced by its middle.
+/// The root of `g` in a monotone piece, by Newton's method from `seed`.
 ///
-/// Both ways out are bounds on the value: one that is within its own rounding has no sign to go by, only a
-/// last step to offer, and after a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`.
-/// That is enough once it is below a rounding too, and the step is short enough for its own rounding not to
-/// count. Beside a turning point the slope is mostly rounding: no step is longer than half the way to it.
+/// After a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`. Below an eighth of a rounding of c0, which is
+/// no more than half of `Σ |cⱼ·uʲ|` at a root, there is nothing left to gain. Two steps are taken on trust. If they stay in the piece, the
+/// second is short beside what it starts from and beside the way to the turning point, and what remains is nothing,
+/// they have found its root, for it has only one. If not, [`guarded`] does.
 #[inline(always)]
 pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
-    const UNIT: f32 = 1.0 / 16_777_216.0;
+    let [c0, _, c2, c3] = g.c;
+    let u = seed - g.at(seed) / g.slope(seed);
+    let (value, slope) = (g.at(u), g.slope(u));
+    let step = value / slope;
+    let bend = c2 + 3.0 * c3 * u;
+    let root = u - step;
+    let settled = (step * step * (bend - c3 * step)).abs() <= 0.125 * UNIT * c0.abs();
+    let short = step.abs() <= 0.125 * root.abs() && (step * bend).abs() <= 0.125 * slope.abs();
+    if settled && short && piece.lo < root && root < piece.hi { root } else { guarded(*g, *piece, seed) }
+}
+
+const UNIT: f32 = 1.0 / 16_777_216.0;
+
+/// The same, held in the bracket that the signs of `g` draw ever closer. A step that leaves the bracket is replaced by its middle.
+///
+/// Two ways out, both bounds on the value: one that is within its own rounding has no sign to go by, only a last step to
+/// offer; and one that remains after a step may be below a rounding. Beside a turning point the slope is mostly rounding: no step
+/// is longer than half the way to it, and every fourth of those is replaced by the bracket's middle, for from
+/// a bad seed they could go on for long.
+#[cold]
+#[inline(never)]
+fn guarded(g: Cubic, piece: Piece, seed: f32) -> f32 {
     let [_, _, c2, c3] = g.c;
     let (mut lo, mut hi) = (piece.lo, piece.hi);
     let mut u = seed;
-    for _ in 0..MOST_STEPS {
+    for count in 0..MOST_STEPS {
         if !(lo < u && u < hi) {
             // A double root at an end, such as a cone's apex on its axis, is seeded there exactly.
             if u == lo && g.at(u) == 0.0 {
@@ -47,12 +67,14 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         } else {
             hi = u;
         }
-        u -= if !far {
-            step
+        u = if !far {
+            u - step
+        } else if count % 4 == 3 {
+            0.5 * lo + 0.5 * hi
         } else if step > 0.0 {
-            reach
+            u - reach
         } else {
-            -reach
+            u + reach
         };
         if last && step.abs() <= 0.5 * u.abs() {
             break;

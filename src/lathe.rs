@@ -145,16 +145,12 @@ impl<const N: usize> Lathe<[Segment; N]> {
                 let _ = hits.push(hit);
                 ControlFlow::Continue(hit.enters)
             }
-            Meeting::Chord(chord) => {
-                let mut inside = chord.inside;
-                for hit in chord.hits::<S>() {
-                    inside = hit.enters;
-                    if is_beyond(hit.t, t_min) {
-                        let _ = hits.push(hit);
-                    }
+            Meeting::Chord(chord) => chord.each_hit::<S, ()>(|hit| {
+                if is_beyond(hit.t, t_min) {
+                    let _ = hits.push(hit);
                 }
-                ControlFlow::Continue(inside)
-            }
+                ControlFlow::Continue(())
+            }),
         });
         hits
     }
@@ -163,14 +159,9 @@ impl<const N: usize> Lathe<[Segment; N]> {
 /// The first crossing of a chord beyond `t_min`, or whether the ray is inside at the chord's end.
 #[inline(always)]
 fn first<S: Solver>(chord: &Chord, t_min: f32) -> ControlFlow<Hit, bool> {
-    let mut inside = chord.inside;
-    for hit in chord.hits::<S>() {
-        if is_beyond(hit.t, t_min) {
-            return ControlFlow::Break(hit);
-        }
-        inside = hit.enters;
-    }
-    ControlFlow::Continue(inside)
+    chord.each_hit::<S, Hit>(|hit| {
+        if is_beyond(hit.t, t_min) { ControlFlow::Break(hit) } else { ControlFlow::Continue(()) }
+    })
 }
 
 /// A distance too large for a number is none.

@@ -31,7 +31,7 @@ pub use cardano::Cardano;
 pub use pieces::{Piece, Turning};
 pub use split::Split;
 
-pub(crate) use pieces::Crossings;
+pub(crate) use pieces::{first_crossing, first_piece};
 
 use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
@@ -95,25 +95,29 @@ impl Cubic {
         if start == 0.0 {
             return Some(lo);
         }
-        Crossings::<S>::new(g, lo, hi, start > 0.0).next()
+        first_crossing::<S>(&g, lo, hi, start > 0.0)
     }
 
     /// [`Cubic::roots`] by the method S.
     pub fn roots_by<S: Solver>(&self, lo: f32, hi: f32) -> Vec<f32, 3> {
         let mut roots = Vec::new();
-        let Some((g, lo, hi)) = self.within(lo, hi) else {
+        let Some((g, mut lo, hi)) = self.within(lo, hi) else {
             return roots;
         };
-        let start = g.at(lo);
-        let mut crossings = Crossings::<S>::new(g, lo, hi, start > 0.0);
-        if start == 0.0 {
+        let mut positive = g.at(lo) > 0.0;
+        if g.at(lo) == 0.0 {
             let _ = roots.push(lo);
-            crossings.leave_root();
+            // The sign beyond is that of the first derivative that has one.
+            let [_, _, c2, c3] = g.c;
+            let signs = [g.slope(lo), c2 + 3.0 * c3 * lo, c3];
+            positive = signs.iter().find(|&&sign| sign != 0.0).is_some_and(|&sign| sign > 0.0);
         }
-        // Three monotone pieces, one root each: the capacity is never reached before the end. The first piece
-        // gives none when its left end already is one.
-        for root in crossings {
+        while !roots.is_full() && lo < hi {
+            let Some(root) = first_crossing::<S>(&g, lo, hi, positive) else {
+                break;
+            };
             let _ = roots.push(root);
+            (lo, positive) = (root, !positive);
         }
         roots
     }

@@ -3,7 +3,8 @@ use super::segment::Segment;
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
 use crate::math::order::{greater, lesser};
-use crate::solve::{Crossings, Solver};
+use crate::solve::{Solver, first_crossing, first_piece};
+use core::ops::ControlFlow;
 
 /// What of a ray lies in one segment's slab and cylinder, and g along it.
 pub(super) struct Chord<'a> {
@@ -105,20 +106,33 @@ impl<'a> Chord<'a> {
         [g0, g0 + third * self.g.slope(self.from), g3 - third * self.g.slope(self.to), g3]
     }
 
-    /// The crossings along the chord, in order.
+    /// The crossings along the chord, in order, until told to stop; then whether the ray is inside at its end. A cubic has at most three.
     #[inline(always)]
-    pub fn hits<S: Solver>(&self) -> impl Iterator<Item = Hit> {
-        let mut inside = self.inside;
-        Crossings::<S>::new(self.g, self.from, self.to, inside).map(move |s| {
+    pub fn each_hit<S: Solver, B>(
+        &self,
+        mut meet: impl FnMut(Hit) -> ControlFlow<B>,
+    ) -> ControlFlow<B, bool> {
+        let (mut from, mut inside) = (self.from, self.inside);
+        for _ in 0..3 {
+            let Some(s) = first_crossing::<S>(&self.g, from, self.to, inside) else {
+                break;
+            };
             inside = !inside;
-            self.hit(s, inside)
-        })
+            if let ControlFlow::Break(found) = meet(self.hit(s, inside)) {
+                return ControlFlow::Break(found);
+            }
+            from = s;
+            if !(from < self.to) {
+                break;
+            }
+        }
+        ControlFlow::Continue(inside)
     }
 
-    /// Whether there is a crossing at all: the signs at the turning points and the end, no root.
+    /// Whether there is a crossing at all: signs, no root.
     #[inline(always)]
     pub fn crosses<S: Solver>(&self) -> bool {
-        Crossings::<S>::new(self.g, self.from, self.to, self.inside).any_left()
+        first_piece::<S::Math>(&self.g, self.from, self.to, self.inside).is_some()
     }
 
     #[inline(always)]

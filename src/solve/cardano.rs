@@ -51,10 +51,10 @@ fn cubic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
 /// Which of the three angles belongs to the piece. X falls with θ; u rises with X if c3 > 0.
 fn turn(piece: &Piece, c3: f32) -> f32 {
     const THIRD: f32 = 2.094_395_2;
-    if piece.left.at.is_finite() && piece.right.at.is_finite() {
+    if piece.maximum.at.is_finite() && piece.minimum.at.is_finite() {
         return -THIRD; // cos(θ − 120°), θ in [0, 60°]: the middle root
     }
-    let rightmost = piece.left.at.is_finite();
+    let rightmost = piece.maximum.at.is_finite();
     if rightmost == (c3 > 0.0) { 0.0 } else { THIRD }
 }
 

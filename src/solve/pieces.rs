@@ -1,145 +1,87 @@
 use super::{Solver, refine::refine};
 use crate::cubic::Cubic;
 use crate::math::Math;
-use core::marker::PhantomData;
 
-/// A point where the slope of a cubic vanishes: with d = u − at, `g = value + bend·d² + c3·d³`, exactly so.
+/// A turning point of a cubic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Turning {
-    /// Where: −∞ or +∞ if there is none on that side.
+    /// Where, infinite if nowhere.
     pub at: f32,
-    /// The cubic's value there, +∞ if nowhere.
-    pub value: f32,
-    /// Half the second derivative there: positive at a minimum, negative at a maximum.
-    pub bend: f32,
+    /// The magnitude of the cubic there, infinite if nowhere.
+    pub height: f32,
 }
 
-impl Turning {
-    /// None on the left.
-    pub const BEFORE: Self = Self { at: f32::NEG_INFINITY, value: f32::INFINITY, bend: 0.0 };
-    /// None on the right.
-    pub const BEYOND: Self = Self { at: f32::INFINITY, value: f32::INFINITY, bend: 0.0 };
-
-    fn new(g: &Cubic, at: f32, bend: f32) -> Self {
-        let value = g.at(at);
-        // A vanishing leading coefficient sends one of the two points to infinity.
-        if value.is_finite() { Self { at, value, bend } } else { Self::BEYOND }
-    }
-
-    /// The turning points of `g` in ascending order, absent ones last. None or one of a quadratic, none or
-    /// two of a cubic.
-    ///
-    /// `u = (−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`: each point from that form of the quadratic formula
-    /// that adds two numbers of one sign, so that the point which stays finite as c3 → 0 is found without
-    /// dividing by it.
-    pub fn of<M: Math>(g: &Cubic) -> [Self; 2] {
-        let [_, c1, c2, c3] = g.c;
-        let s = M::sqrt(difference_of_products(c2, 3.0 * c1, c3));
-        if !(s > 0.0) {
-            return [Self::BEYOND; 2];
-        }
-        let s = if c2 >= 0.0 { s } else { -s };
-        let sum = c2 + s;
-        let (near, far) = (Self::new(g, -c1 / sum, s), Self::new(g, -sum / (3.0 * c3), -s));
-        if far.at < near.at { [far, near] } else { [near, far] }
-    }
-}
-
-/// One monotone part of a cubic: between two neighbouring turning points, or beyond the outermost.
+/// The monotone piece of a cubic that holds its first crossing. The cubic falls from `lo`, where it is positive, to `hi`, where it is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Piece {
-    /// Where the piece begins: the turning point on its left, or the interval's end.
+    /// Where the piece begins: at a maximum, or at the interval's end.
     pub lo: f32,
-    /// Where it ends: the turning point on its right, or the interval's end.
+    /// Where it ends: at a minimum, or at the interval's end.
     pub hi: f32,
-    /// The nearest turning point to the left, which may lie outside the interval.
-    pub left: Turning,
-    /// The nearest turning point to the right, likewise.
-    pub right: Turning,
-    /// Whether the cubic falls from lo to hi.
-    pub falling: bool,
+    /// The maximum that it falls from, which may lie before the interval.
+    pub maximum: Turning,
+    /// The minimum that it falls to, which may lie beyond the interval.
+    pub minimum: Turning,
+    /// Half the second derivative at the minimum, and its negative at the maximum: with d the distance from one of the two,
+    /// `|g| = |height − bend·d² ± c3·d³|`. Zero if there is neither.
+    pub bend: f32,
 }
 
-/// The points of an interval at which a cubic changes sign, in ascending order: at most three, one a monotone
-/// piece.
-pub(crate) struct Crossings<S> {
-    g: Cubic,
-    lo: f32,
-    hi: f32,
-    /// The turning points at the next piece's ends, and the one after.
-    left: Turning,
-    right: Turning,
-    after: Turning,
-    /// The sign that the cubic is known to have now.
-    positive: bool,
-    solver: PhantomData<S>,
+/// The cubic, turned round so that it starts positive, and the piece on which it first falls below zero, if there is one in [lo, hi].
+///
+/// `positive` says how it starts, whatever rounding makes of its value there. From above zero it can come below only by falling, and then the minimum, or the
+/// interval's end, is below: two signs tell.
+///
+/// The turning points are `(−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`: each from that form of the quadratic formula that adds
+/// two numbers of one sign, so that the one which stays finite as c3 → 0 is found without dividing by it.
+#[inline(always)]
+pub(crate) fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<(Cubic, Piece)> {
+    let sign = if positive { 1.0 } else { -1.0 };
+    let g = Cubic::new(g.c.map(|c| sign * c));
+    let [_, c1, c2, c3] = g.c;
+    let nowhere = |at| Turning { at, height: f32::INFINITY };
+    let square = difference_of_products(c2, 3.0 * c1, c3);
+    if !(square > 0.0) {
+        let none =
+            Piece { lo, hi, maximum: nowhere(f32::NEG_INFINITY), minimum: nowhere(f32::INFINITY), bend: 0.0 };
+        return (g.at(hi) <= 0.0).then_some((g, none));
+    }
+    let bend = M::sqrt(square);
+    let rising = c2 >= 0.0;
+    let sum = if rising { c2 + bend } else { c2 - bend };
+    let (near, far) = (-c1 / sum, -sum / (3.0 * c3));
+    let (minimum, maximum) = if rising { (near, far) } else { (far, near) };
+
+    let (mut end, mut value) = (minimum, g.at(minimum));
+    let depth = -value;
+    if !(lo < end && end < hi && value <= 0.0) {
+        (end, value) = (hi, g.at(hi));
+    }
+    if !(value <= 0.0) {
+        return None;
+    }
+    let start = if lo < maximum && maximum < end { maximum } else { lo };
+    // A value that is not a number belongs to a point at infinity.
+    let maximum = if maximum <= start && maximum > f32::NEG_INFINITY {
+        Turning { at: maximum, height: g.at(maximum) }
+    } else {
+        nowhere(f32::NEG_INFINITY)
+    };
+    let minimum = if minimum >= end && minimum < f32::INFINITY {
+        Turning { at: minimum, height: depth }
+    } else {
+        nowhere(f32::INFINITY)
+    };
+    Some((g, Piece { lo: start, hi: end, maximum, minimum, bend }))
 }
 
-impl<S: Solver> Crossings<S> {
-    /// `g` is positive (or negative) as the interval begins, whatever rounding makes of its value there.
-    #[inline(always)]
-    pub fn new(g: Cubic, lo: f32, hi: f32, positive: bool) -> Self {
-        let [right, after] = Turning::of::<S::Math>(&g);
-        Self { g, lo, hi, left: Turning::BEFORE, right, after, positive, solver: PhantomData }
-    }
-
-    /// The interval begins at a root: the sign is that at the end of the first piece, which has no other
-    /// root.
-    pub fn leave_root(&mut self) {
-        if let Some((_, value)) = self.piece() {
-            self.positive = value > 0.0;
-        }
-    }
-
-    /// The next piece of which any lies in the interval, and the cubic's value at its end.
-    #[inline(always)]
-    fn piece(&mut self) -> Option<(Piece, f32)> {
-        loop {
-            let (left, right) = (self.left, self.right);
-            // Or there is no point on the left, and so no piece.
-            if !(left.at < self.hi) {
-                return None;
-            }
-            (self.left, self.right, self.after) = (right, self.after, Turning::BEYOND);
-            let lo = if left.at > self.lo { left.at } else { self.lo };
-            let (hi, value) =
-                if right.at < self.hi { (right.at, right.value) } else { (self.hi, self.g.at(self.hi)) };
-            if lo < hi {
-                return Some((Piece { lo, hi, left, right, falling: self.positive }, value));
-            }
-        }
-    }
-
-    /// The next piece that holds a crossing, and the cubic's value at its end.
-    #[inline(always)]
-    fn crossing(&mut self) -> Option<(Piece, f32)> {
-        loop {
-            let (piece, value) = self.piece()?;
-            let crosses = if self.positive { value <= 0.0 } else { value >= 0.0 };
-            if crosses {
-                self.positive = !self.positive;
-                return Some((piece, value));
-            }
-        }
-    }
-
-    /// Whether there is another crossing.
-    #[inline(always)]
-    pub fn any_left(&mut self) -> bool {
-        self.crossing().is_some()
-    }
-}
-
-impl<S: Solver> Iterator for Crossings<S> {
-    type Item = f32;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<f32> {
-        let (piece, value) = self.crossing()?;
-        Some(if value == 0.0 { piece.hi } else { refine(&self.g, &piece, S::seed(&self.g, &piece)) })
-    }
+/// The first point of [lo, hi] at which a cubic that starts positive (or not) has the other sign, or is zero.
+#[inline(always)]
+pub(crate) fn first_crossing<S: Solver>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<f32> {
+    let (g, piece) = first_piece::<S::Math>(g, lo, hi, positive)?;
+    Some(refine(&g, &piece, S::seed(&g, &piece)))
 }
 
 /// `a² − b·c` to within a few units of the result wherever it is not far below the rounding of the exact
@@ -147,13 +89,18 @@ impl<S: Solver> Iterator for Crossings<S> {
 ///
 /// The plain difference, unless it cancels; then each product is taken exactly, as a sum of two numbers
 /// (Dekker 1971).
+#[inline(always)]
 fn difference_of_products(a: f32, b: f32, c: f32) -> f32 {
     let (square, product) = (a * a, b * c);
     let plain = square - product;
-    if plain.abs() > 0.25 * square {
-        return plain;
-    }
-    plain + (tail(a, a, square) - tail(b, c, product))
+    if plain.abs() > 0.25 * square { plain } else { exact_difference(a, b, c) }
+}
+
+#[cold]
+#[inline(never)]
+fn exact_difference(a: f32, b: f32, c: f32) -> f32 {
+    let (square, product) = (a * a, b * c);
+    (square - product) + (tail(a, a, square) - tail(b, c, product))
 }
 
 /// What rounding took from a·b: `a·b = product + tail`, exactly, if nothing under- or overflows.

@@ -53,7 +53,7 @@ fn guarded(g: Cubic, piece: Piece, seed: f32) -> f32 {
         let value = g.at(u);
         let rounding = UNIT * g.size(u);
         let step = value / g.slope(u);
-        let reach = 0.5 * lesser(u - piece.left.at, piece.right.at - u);
+        let reach = 0.5 * lesser(u - piece.maximum.at, piece.minimum.at - u);
         let far = step.abs() > reach;
         let rest = step * step * (c2 + 3.0 * c3 * u - c3 * step);
         let last = !far && rest.abs() <= 0.125 * rounding;
@@ -62,7 +62,7 @@ fn guarded(g: Cubic, piece: Piece, seed: f32) -> f32 {
             u -= if last { step } else { 0.0 };
             break;
         }
-        if (value > 0.0) == piece.falling {
+        if value > 0.0 {
             lo = u;
         } else {
             hi = u;

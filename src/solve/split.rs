@@ -5,8 +5,8 @@ use core::marker::PhantomData;
 
 /// Split at the turning points, then a bent parabola. The crate's default.
 ///
-/// About a turning point, with d = u − at: `g = value + bend·d² + c3·d³`. Without the last term the root is
-/// at `e = √(−value/bend)`; with it at `e·Φ(b)`, `Φ²·(1 − b·Φ) = 1`, `b = ∓c3·e/bend`. Towards the other
+/// At a distance d from the turning point, `|g| = height − bend·d² + c3·d³`. Without the last term the root is
+/// at `e = √(height/bend)`; with it at `e·Φ(b)`, `Φ²·(1 − b·Φ) = 1`, `b = c3·e/bend`. Towards the other
 /// turning point b runs up to `√6/9` (at the point of inflection, where the other takes over), away from it
 /// down without bound. A polynomial of four terms gives Φ within 1.1 % over [−1, √6/9]; below, the cubic term
 /// rules and the seed comes from the point of inflection.
@@ -21,22 +21,18 @@ impl<M: Math> Solver for Split<M> {
 
     #[inline(always)]
     fn seed(g: &Cubic, piece: &Piece) -> f32 {
-        let c3 = g.c[3];
-        let (turn, side) = if piece.left.value.abs() < piece.right.value.abs() {
-            (piece.left, 1.0)
+        let Piece { maximum, minimum, bend, .. } = *piece;
+        let rises = maximum.height < minimum.height;
+        let height = if rises { maximum.height } else { minimum.height };
+        let e = M::sqrt(height / bend);
+        let b = g.c[3] * e / bend;
+        // Nor if there is no turning point: then b is not a number.
+        if b >= -1.0 {
+            let d = e * phi(b);
+            if rises { maximum.at + d } else { minimum.at - d }
         } else {
-            (piece.right, -1.0)
-        };
-        let square = -turn.value / turn.bend;
-        // A negative one has a root that is not a number, and no b.
-        if square < f32::INFINITY {
-            let e = side * M::sqrt(square);
-            let b = -c3 * e / turn.bend;
-            if b >= -1.0 {
-                return turn.at + e * phi(b);
-            }
+            from_inflection(*g)
         }
-        from_inflection(*g)
     }
 }
 

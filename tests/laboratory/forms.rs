@@ -5,10 +5,11 @@
 //! - [`sound`]: the ray is cut to each segment's slab and cylinder first, and g is formed along what remains.
 //! - [`shipped`]: the crate's own.
 
-use super::contenders::FirstRoot;
+use super::contenders::{Direct, FirstRoot, textbook_roots};
 use crate::cases::{Cast, Outline};
-use embedded_lathe::solve::Solver;
-use embedded_lathe::{Lathe, Profile, Ray, Segment};
+use embedded_lathe::math::{Libm, Std};
+use embedded_lathe::solve::{Cardano, Solver, Split};
+use embedded_lathe::{Cubic, Lathe, Profile, Ray, Segment};
 
 /// Enough segments for every outline under test.
 pub type Turned = Lathe<[Segment; 16]>;
@@ -154,4 +155,33 @@ fn powers([q0, q1, q2, q3]: [f32; 4]) -> [f32; 4] {
         3.0 * q0 - 6.0 * q1 + 3.0 * q2,
         -q0 + 3.0 * q1 - 3.0 * q2 + q3,
     ]
+}
+
+/// A whole intersection.
+pub type Nearest = fn(&Outline, &Cast) -> Option<f32>;
+
+/// What is compared: the form, the solver, both together.
+pub const METHODS: &[(&str, &str, Nearest)] = &[
+    ("paper", "textbook Cardano", |outline, cast| paper(outline, cast, textbook)),
+    ("paper", "split", |outline, cast| paper(outline, cast, split)),
+    ("sound form", "textbook Cardano", |outline, cast| sound(outline, cast, textbook_first)),
+    ("crate", "split", |outline, cast| shipped::<Split<Std>>(&turned(outline), cast)),
+    ("crate", "Cardano", |outline, cast| shipped::<Cardano<Libm>>(&turned(outline), cast)),
+];
+
+fn textbook(c: &[f32; 4]) -> [f32; 3] {
+    textbook_roots::<Direct<Std>>(c)
+}
+
+fn textbook_first(c: &[f32; 4], lo: f32, hi: f32) -> Option<f32> {
+    let inside = textbook(c).into_iter().filter(|root| (lo..=hi).contains(root));
+    inside.reduce(f32::min)
+}
+
+/// The crate's solver on the paper's coefficients.
+fn split(c: &[f32; 4]) -> [f32; 3] {
+    let mut places = [f32::NAN; 3];
+    let found = Cubic::new(*c).roots_by::<Split<Std>>(0.0, 1.0);
+    places.iter_mut().zip(found).for_each(|(place, root)| *place = root);
+    places
 }

@@ -28,3 +28,9 @@ pub mod sextic;
 pub mod tally;
 pub mod troubles;
 pub mod workload;
+
+/// What no change of the coefficients below so many units of 2⁻²⁴ explains is called wrong, whoever says it.
+pub const WRONG: f64 = 64.0;
+
+/// What no displacement below so many units of 2⁻²⁴·(size + distance) explains is a wrong intersection.
+pub const DISPLACEMENT: f64 = 16.0;

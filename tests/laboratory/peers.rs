@@ -28,10 +28,9 @@ fn kurbo([c0, c1, c2, c3]: [f64; 4], lo: f64, hi: f64) -> Option<f64> {
     first_of(&kurbo::common::solve_cubic(c0, c1, c2, c3), lo, hi)
 }
 
-/// Brackets and Newton's method. It asks for an absolute error: the rounding of the interval's larger end.
+/// Brackets and Newton's method. It asks for an absolute error: as small as can be.
 fn polycool(c: [f64; 4], lo: f64, hi: f64) -> Option<f64> {
-    let error = f64::EPSILON * lo.abs().max(hi.abs());
-    first_of(&polycool::Cubic::new(c).roots_between(lo, hi, error), lo, hi)
+    first_of(&polycool::Cubic::new(c).roots_between(lo, hi, f64::MIN_POSITIVE), lo, hi)
 }
 
 /// Cardano's and Viète's formulas.

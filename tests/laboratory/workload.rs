@@ -4,7 +4,7 @@
 //! near-double ones.
 
 /// Cubics a family.
-pub const COUNT: usize = 128;
+pub const COUNT: u32 = 64;
 
 /// `Σ c[j]·uʲ` on [lo, hi].
 #[derive(Clone, Copy)]

@@ -5,7 +5,7 @@ use crate::laboratory::families::FAMILIES;
 use crate::laboratory::hits;
 use crate::laboratory::judge::Truth;
 use crate::laboratory::troubles::Trouble;
-use crate::laboratory::{DISPLACEMENT, forms};
+use crate::laboratory::{PROMISE, forms};
 use crate::progress::bar;
 use embedded_lathe::solve::{BACKWARD_ERROR, DefaultSolver};
 use std::error::Error;
@@ -33,7 +33,9 @@ pub fn run(minutes: u64) -> Result<(), Box<dyn Error>> {
                     if !(units <= f64::from(BACKWARD_ERROR)) {
                         wrong += 1;
                         let (method, backend) = (method.method, method.backend);
-                        bar.println(format!("{method} over {backend}: {question:?}: {answer:?}, {units} units"));
+                        bar.println(format!(
+                            "{method} over {backend}: {question:?}: {answer:?}, {units} units"
+                        ));
                     }
                 }
             }
@@ -45,7 +47,7 @@ pub fn run(minutes: u64) -> Result<(), Box<dyn Error>> {
                 let units = hits::Truth::new(&case).judge(answer);
                 worst.1 = worst.1.max(units);
                 questions += 1;
-                if !(units <= DISPLACEMENT) {
+                if !(units <= PROMISE) {
                     wrong += 1;
                     bar.println(format!("{}: {case}\n  {answer:?}, {units} units", trouble.name));
                 }
@@ -56,6 +58,8 @@ pub fn run(minutes: u64) -> Result<(), Box<dyn Error>> {
     }
     bar.finish();
     let (solver, hit) = worst;
-    println!("{questions} answers, {wrong} wrong; worst backward error {solver:.2} units, worst displacement {hit:.2}");
+    println!(
+        "{questions} answers, {wrong} wrong; worst backward error {solver:.2} units, worst displacement {hit:.2}"
+    );
     Ok(())
 }

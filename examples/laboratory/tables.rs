@@ -99,7 +99,9 @@ fn csv(table: &Table, column: &str, wrong: f64) -> Result<String, std::fmt::Erro
 
 /// A line a method: all families together.
 fn summary(table: &Table, wrong: f64) -> Result<String, std::fmt::Error> {
-    let mut text = "| method | over | answers | wrong | median | 99 % | worst |\n|---|---|--:|--:|--:|--:|--:|\n".to_owned();
+    let mut text =
+        "| method | over | answers | wrong | median | 99 % | worst |\n|---|---|--:|--:|--:|--:|--:|\n"
+            .to_owned();
     for (method, backend, tallies) in &table.rows {
         let mut all = Tally::default();
         tallies.iter().for_each(|tally| all.merge(tally));

@@ -4,6 +4,7 @@ use crate::bare::exit;
 use crate::contenders::{EVERYWHERE, FirstRoot};
 use crate::workload::{COUNT, FAMILIES, Item};
 use core::{arch::asm, hint::black_box};
+use cortex_m as _; // its critical section
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug::EXIT_SUCCESS, hprintln};
 

@@ -123,11 +123,7 @@ impl Polynomial {
 /// The simple real roots of `a·x² + b·x + c`, ascending, each by the form that does not cancel.
 fn quadratic(a: &Exact, b: &Exact, c: &Exact) -> Vec<Exact> {
     if sign(a) == 0 {
-        return if sign(b) == 0 {
-            Vec::new()
-        } else {
-            vec![-quotient(c, b)]
-        };
+        return if sign(b) == 0 { Vec::new() } else { vec![-quotient(c, b)] };
     }
     let discriminant = b * b - exact(4.0) * a * c;
     if sign(&discriminant) <= 0 {
@@ -135,10 +131,7 @@ fn quadratic(a: &Exact, b: &Exact, c: &Exact) -> Vec<Exact> {
     }
     let root = root(&discriminant);
     let twice = if sign(b) < 0 { root - b } else { -(root + b) };
-    let mut roots = vec![
-        quotient(&(exact(2.0) * c), &twice),
-        quotient(&twice, &(exact(2.0) * a)),
-    ];
+    let mut roots = vec![quotient(&(exact(2.0) * c), &twice), quotient(&twice, &(exact(2.0) * a))];
     roots.sort();
     roots
 }

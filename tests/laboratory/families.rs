@@ -111,7 +111,7 @@ pub const FAMILIES: &[Family] = &[
             let end = 0.5 + f64::from(rng.random_range(0..2));
             question(from_roots([end, p, q], signed(rng)), 0.5, 1.5)
         },
-        occurred: |_, truth| truth.roots.is_empty() || truth.roots.iter().any(|r| *r < 0.501 || *r > 1.499),
+        occurred: |_, truth| truth.residual(0.5).min(truth.residual(1.5)) < 64.0,
     },
     Family {
         name: "coefficients over 30 decades",
@@ -121,7 +121,8 @@ pub const FAMILIES: &[Family] = &[
         },
         occurred: |question, _| {
             let sizes = question.c.map(f32::abs);
-            let (low, high) = (sizes.iter().copied().fold(f32::MAX, f32::min), sizes.iter().copied().fold(0.0, f32::max));
+            let (low, high) =
+                (sizes.iter().copied().fold(f32::MAX, f32::min), sizes.iter().copied().fold(0.0, f32::max));
             high > 1e2 * low
         },
     },
@@ -154,11 +155,7 @@ pub const FAMILIES: &[Family] = &[
 ];
 
 fn question(c: [f64; 4], lo: f64, hi: f64) -> Question {
-    Question {
-        c: c.map(|c| c as f32),
-        lo: lo as f32,
-        hi: hi as f32,
-    }
+    Question { c: c.map(|c| c as f32), lo: lo as f32, hi: hi as f32 }
 }
 
 fn from_roots([p, q, r]: [f64; 3], lead: f64) -> [f64; 4] {

@@ -105,11 +105,8 @@ pub fn chords(outline: &Outline, cast: &Cast) -> Vec<Chord> {
         let nearest = -p / q;
         let (nx, ny) = (x + nearest * a, y + nearest * b);
         let half = ((widest - (nx * nx + ny * ny)) / q).sqrt();
-        let (near, far) = if q > 0.0 {
-            (nearest - half, nearest + half)
-        } else {
-            (f32::NEG_INFINITY, f32::INFINITY)
-        };
+        let (near, far) =
+            if q > 0.0 { (nearest - half, nearest + half) } else { (f32::NEG_INFINITY, f32::INFINITY) };
         let (from, to) = if c == 0.0 {
             let inside = low <= z && z <= high;
             if inside { (f32::NEG_INFINITY, f32::INFINITY) } else { (0.0, -1.0) }
@@ -149,12 +146,7 @@ fn segments(outline: &Outline) -> impl Iterator<Item = ([f32; 2], [f32; 4])> {
 
 /// The paper's matrix M: Bernstein ordinates to powers.
 fn powers([q0, q1, q2, q3]: [f32; 4]) -> [f32; 4] {
-    [
-        q0,
-        -3.0 * q0 + 3.0 * q1,
-        3.0 * q0 - 6.0 * q1 + 3.0 * q2,
-        -q0 + 3.0 * q1 - 3.0 * q2 + q3,
-    ]
+    [q0, -3.0 * q0 + 3.0 * q1, 3.0 * q0 - 6.0 * q1 + 3.0 * q2, -q0 + 3.0 * q1 - 3.0 * q2 + q3]
 }
 
 /// A whole intersection.

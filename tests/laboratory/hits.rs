@@ -72,9 +72,8 @@ impl<'a> Truth<'a> {
             None => (0.0, f64::INFINITY),
         };
         let before = self.samples.iter().filter(|(t, _)| *t < end);
-        let (inside, outside) = before.fold((0f64, 0f64), |(inside, outside), &(_, depth)| {
-            (inside.max(depth), outside.max(-depth))
-        });
+        let (inside, outside) = before
+            .fold((0f64, 0f64), |(inside, outside), &(_, depth)| (inside.max(depth), outside.max(-depth)));
         residual.max(inside.min(outside)) / self.unit
     }
 
@@ -208,4 +207,3 @@ fn far_end(outline: &Outline, cast: &Cast) -> Option<f64> {
     let under = p * p - q * (k * x * x + y * y - f64::from(square));
     (q > 0.0 && under > 0.0).then(|| (-p + under.sqrt()) / q)
 }
-

@@ -6,7 +6,7 @@
 //! point of g, or at lo, to a relative error of the order of δ itself. For "there is none", the stretch ends at hi.
 //! What is computed is therefore a lower bound: an answer that it calls wrong is wrong.
 
-use super::exact::{Exact, Polynomial, exact, float};
+use super::exact::{Exact, Polynomial, exact, float, quotient, sign};
 
 /// Everything the judge needs to know of a polynomial on an interval.
 pub struct Truth {
@@ -39,21 +39,31 @@ impl Truth {
         places.push(ends[1].clone());
         let extremes = places.iter().map(|u| (float(u), ratio(&g, u))).collect();
         let roots = g.roots(&ends[0], &ends[1]).iter().map(float).collect();
-        Self {
-            g,
-            lo: lo.into(),
-            hi: hi.into(),
-            extremes,
-            roots,
-        }
+        Self { g, lo: lo.into(), hi: hi.into(), extremes, roots }
     }
 
     pub fn judge(&self, answer: Option<f64>) -> Verdict {
         let units = UNITS * self.backward_error(answer);
-        let distance = answer
-            .zip(self.roots.first())
-            .map(|(u, root)| (u - root).abs() / (self.hi - self.lo));
+        let distance = answer.zip(self.roots.first()).map(|(u, root)| (u - root).abs() / (self.hi - self.lo));
         Verdict { units, distance }
+    }
+
+    /// What it takes to make u a root, in units.
+    pub fn residual(&self, u: f64) -> f64 {
+        UNITS * ratio(&self.g, &exact(u)).abs()
+    }
+
+    /// What it takes to change the number of roots, in units: the least value at a turning point, an end, or the point of inflection, where
+    /// two turning points may be born.
+    pub fn clearance(&self) -> f64 {
+        let flat = match self.g.0.as_slice() {
+            [_, _, c2, c3] if sign(c3) != 0 => {
+                let u = -quotient(c2, &(exact(3.0) * c3));
+                ratio(&self.g, &u).abs()
+            }
+            _ => f64::INFINITY,
+        };
+        UNITS * self.extremes.iter().map(|(_, ratio)| ratio.abs()).fold(flat, f64::min)
     }
 
     fn backward_error(&self, answer: Option<f64>) -> f64 {
@@ -63,9 +73,8 @@ impl Truth {
             None => (0.0, f64::INFINITY),
         };
         let before = self.extremes.iter().filter(|(at, _)| *at < end);
-        let (above, below) = before.fold((0f64, 0f64), |(above, below), &(_, ratio)| {
-            (above.max(ratio), below.max(-ratio))
-        });
+        let (above, below) =
+            before.fold((0f64, 0f64), |(above, below), &(_, ratio)| (above.max(ratio), below.max(-ratio)));
         residual.max(above.min(below))
     }
 }

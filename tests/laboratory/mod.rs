@@ -34,3 +34,6 @@ pub const WRONG: f64 = 64.0;
 
 /// What no displacement below so many units of 2⁻²⁴·(size + distance) explains is a wrong intersection.
 pub const DISPLACEMENT: f64 = 16.0;
+
+/// What the crate's own intersections promise: a quarter of that.
+pub const PROMISE: f64 = 4.0;

@@ -9,18 +9,9 @@ pub struct Peer {
 }
 
 pub const PEERS: &[Peer] = &[
-    Peer {
-        name: "kurbo",
-        first_root: kurbo,
-    },
-    Peer {
-        name: "polycool",
-        first_root: polycool,
-    },
-    Peer {
-        name: "roots",
-        first_root: roots,
-    },
+    Peer { name: "kurbo", first_root: kurbo },
+    Peer { name: "polycool", first_root: polycool },
+    Peer { name: "roots", first_root: roots },
 ];
 
 /// Blinn's method with Yuksel's guidance on a normalised cubic.

@@ -105,13 +105,15 @@ pub fn chord(rng: &mut ChaCha8Rng, silhouette: bool) -> Question {
     let outlines = OUTLINES.get_or_init(outlines);
     loop {
         let outline = &outlines[rng.random_range(0..outlines.len())];
-        let family = if silhouette { Family::Grazing } else { Family::ALL[rng.random_range(0..Family::ALL.len())] };
+        let family =
+            if silhouette { Family::Grazing } else { Family::ALL[rng.random_range(0..Family::ALL.len())] };
         let cast = case(outline, family, rng.random(), 0).cast;
         let chords = forms::chords(outline, &cast);
         if chords.is_empty() {
             continue;
         }
-        let Question { c, lo, hi } = Question { c: chords[rng.random_range(0..chords.len())].c, lo: 0.0, hi: 1.0 };
+        let Question { c, lo, hi } =
+            Question { c: chords[rng.random_range(0..chords.len())].c, lo: 0.0, hi: 1.0 };
         let question = Question { c, lo, hi };
         if !silhouette || grazes(&question) {
             return question;

@@ -14,11 +14,8 @@ pub struct Item {
     pub hi: f32,
 }
 
-pub const FAMILIES: [(&str, fn(u32) -> Item); 3] = [
-    ("rays", ray),
-    ("separated", separated),
-    ("near-double", near_double),
-];
+pub const FAMILIES: [(&str, fn(u32) -> Item); 3] =
+    [("rays", ray), ("separated", separated), ("near-double", near_double)];
 
 /// A uniform number in [0, 1) for every index: Knuth's multiplicative hash, mixed.
 fn uniform(index: u32, which: u32) -> f32 {

@@ -20,16 +20,8 @@ pub fn first_root<F: Functions>(&[c0, c1, c2, c3]: &[f32; 4], lo: f32, hi: f32) 
         let t1 = t0 - bar_d;
         let p = F::cbrt(0.5 * t1);
         let q = if t1 == t0 { -p } else { -bar_c / p };
-        let x = if bar_c <= 0.0 {
-            p + q
-        } else {
-            -bar_d / (p * p + q * q + bar_c)
-        };
-        let root = if is_forward {
-            (x - b) / a
-        } else {
-            -d / (x + c)
-        };
+        let x = if bar_c <= 0.0 { p + q } else { -bar_d / (p * p + q * q + bar_c) };
+        let root = if is_forward { (x - b) / a } else { -d / (x + c) };
         return first_of(&[root], lo, hi);
     }
     let outer = |(bar_a, bar_c, bar_d): (f32, f32, f32)| {
@@ -37,10 +29,7 @@ pub fn first_root<F: Functions>(&[c0, c1, c2, c3]: &[f32; 4], lo: f32, hi: f32) 
         let size = F::sqrt(-bar_c);
         let cos = F::cos(third);
         let sin = F::sqrt(1.0 - cos * cos);
-        (
-            2.0 * size * cos,
-            -size * (cos + 1.732_050_8 * sin),
-        )
+        (2.0 * size * cos, -size * (cos + 1.732_050_8 * sin))
     };
     let (x1, x3) = outer(forward);
     let large = (if x1 + x3 > 2.0 * b { x1 } else { x3 } - b, a);

@@ -1,21 +1,20 @@
 use super::Functions;
 
-/// The interval cut at the critical points; in the first piece with a change of sign, the root by `find`.
+/// The interval cut at the critical points; in the first piece with a change of sign, the root by `find`. Scaled by a power of two first.
 fn first_root<F: Functions>(
     c: &[f32; 4],
     lo: f32,
     hi: f32,
     find: fn(&[f32; 4], f32, f32, bool) -> f32,
 ) -> Option<f32> {
+    let largest = c.iter().fold(0f32, |largest, c| largest.max(c.abs()));
+    let exponent = (largest.to_bits() >> 23).clamp(1, 253);
+    let c = &c.map(|c| c * f32::from_bits((254 - exponent) << 23));
     let [_, c1, c2, c3] = *c;
     let root = F::sqrt(c2 * c2 - 3.0 * c3 * c1);
     let sum = -if c2 < 0.0 { c2 - root } else { c2 + root };
     let (one, other) = (c1 / sum, sum / (3.0 * c3));
-    let cuts = if one < other {
-        [one, other, hi]
-    } else {
-        [other, one, hi]
-    };
+    let cuts = if one < other { [one, other, hi] } else { [other, one, hi] };
     let mut from = lo;
     let mut positive = value(c, lo) > 0.0;
     if value(c, lo) == 0.0 {
@@ -52,11 +51,7 @@ pub fn bisection<F: Functions>(c: &[f32; 4], lo: f32, hi: f32) -> Option<f32> {
                 hi = middle;
             }
         }
-        if value(c, lo).abs() < value(c, hi).abs() {
-            lo
-        } else {
-            hi
-        }
+        if value(c, lo).abs() < value(c, hi).abs() { lo } else { hi }
     })
 }
 
@@ -76,11 +71,7 @@ pub fn newton<F: Functions>(c: &[f32; 4], lo: f32, hi: f32) -> Option<f32> {
                 hi = u;
             }
             let next = u - g / ((3.0 * c3 * u + 2.0 * c2) * u + c1);
-            let next = if lo < next && next < hi {
-                next
-            } else {
-                0.5 * lo + 0.5 * hi
-            };
+            let next = if lo < next && next < hi { next } else { 0.5 * lo + 0.5 * hi };
             let done = (next - u).abs() <= 0.5 * f32::EPSILON * u.abs() || !(lo < next && next < hi);
             if done {
                 break;

@@ -9,11 +9,7 @@ pub fn first_root<F: Functions>(&[c0, c1, c2, c3]: &[f32; 4], lo: f32, hi: f32) 
         let [one, other] = quadratic::<F>(c2, c1, c0);
         return first_of(&[one, other], lo, hi);
     }
-    let (x, b, c) = if c0 == 0.0 {
-        (0.0, c2, c1)
-    } else {
-        real_root::<F>(c3, c2, c1, c0)
-    };
+    let (x, b, c) = if c0 == 0.0 { (0.0, c2, c1) } else { real_root::<F>(c3, c2, c1, c0) };
     let [one, other] = quadratic::<F>(c3, b, c);
     first_of(&[x, one, other], lo, hi)
 }
@@ -36,11 +32,7 @@ fn real_root<F: Functions>(a: f32, b: f32, c: f32, d: f32) -> (f32, f32, f32) {
         for _ in 0..64 {
             x = next;
             (value, slope, b1, c2) = horner(x, a, b, c, d);
-            next = if slope == 0.0 {
-                x
-            } else {
-                x - value / slope / (1.0 + 2.0 * f32::EPSILON)
-            };
+            next = if slope == 0.0 { x } else { x - value / slope / (1.0 + 2.0 * f32::EPSILON) };
             if !(s * next > s * x) {
                 break;
             }
@@ -69,9 +61,5 @@ fn quadratic<F: Functions>(a: f32, b: f32, c: f32) -> [f32; 2] {
     }
     let root = F::sqrt(discriminant);
     let sum = if half < 0.0 { half - root } else { half + root };
-    if sum == 0.0 {
-        [0.0, if a == 0.0 { f32::NAN } else { 0.0 }]
-    } else {
-        [c / sum, sum / a]
-    }
+    if sum == 0.0 { [0.0, if a == 0.0 { f32::NAN } else { 0.0 }] } else { [c / sum, sum / a] }
 }

@@ -32,21 +32,11 @@ pub struct Contender {
 }
 
 const fn rival(method: &'static str, backend: &'static str, first_root: FirstRoot) -> Contender {
-    Contender {
-        method,
-        backend,
-        first_root,
-        shipped: false,
-    }
+    Contender { method, backend, first_root, shipped: false }
 }
 
 const fn ours(method: &'static str, backend: &'static str, first_root: FirstRoot) -> Contender {
-    Contender {
-        method,
-        backend,
-        first_root,
-        shipped: true,
-    }
+    Contender { method, backend, first_root, shipped: true }
 }
 
 type Libm = Direct<math::Libm>;
@@ -60,16 +50,8 @@ pub const EVERYWHERE: &[Contender] = &[
     ours("Cardano", "libm", shipped::cardano::<math::Libm>),
     ours("Cardano", "micromath", shipped::cardano::<math::Micromath>),
     rival("textbook Cardano", "libm", textbook::first_root::<Libm>),
-    rival(
-        "textbook Cardano",
-        "micromath",
-        textbook::first_root::<MicromathDirect>,
-    ),
-    rival(
-        "textbook + Newton step",
-        "libm",
-        textbook::corrected::<Libm>,
-    ),
+    rival("textbook Cardano", "micromath", textbook::first_root::<MicromathDirect>),
+    rival("textbook + Newton step", "libm", textbook::corrected::<Libm>),
     rival("Blinn", "libm", blinn::first_root::<Libm>),
     rival("Kahan", "libm", kahan::first_root::<Libm>),
     rival("Newton alone", "", newton::first_root),
@@ -83,11 +65,7 @@ pub const EVERYWHERE: &[Contender] = &[
 pub const HOST: &[Contender] = &[
     ours("split", "std", shipped::split::<math::Std>),
     ours("Cardano", "std", shipped::cardano::<math::Std>),
-    rival(
-        "textbook Cardano",
-        "std",
-        textbook::first_root::<Direct<math::Std>>,
-    ),
+    rival("textbook Cardano", "std", textbook::first_root::<Direct<math::Std>>),
 ];
 
 /// The smallest of some numbers that lies in [lo, hi]; NaN never does.

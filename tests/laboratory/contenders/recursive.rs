@@ -77,11 +77,7 @@ fn bracketed(c: &[f32], mut lo: f32, mut hi: f32, falling: bool) -> f32 {
             hi = u;
         }
         let next = u - g / slope;
-        let next = if lo < next && next < hi {
-            next
-        } else {
-            0.5 * lo + 0.5 * hi
-        };
+        let next = if lo < next && next < hi { next } else { 0.5 * lo + 0.5 * hi };
         if (next - u).abs() <= 0.5 * f32::EPSILON * u.abs() || !(lo < next && next < hi) {
             break;
         }

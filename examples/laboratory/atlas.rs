@@ -156,12 +156,10 @@ fn legend(canvas: &mut Canvas, left: i32, top: i32, width: i32) {
     for x in 0..width {
         block(canvas, left + x, top, 1, 12, colour(10f64.powf(power(x))));
     }
-    for tick in [0.1, 1.0, 16.0, 1e2, 1e3, 1e4, 1e5, 1e6f64] {
+    for tick in [0.1, 1.0, 16.0, 1e3, 1e4, 1e5, 1e6f64] {
         let x = ((tick.log10() + 1.0) / 7.5 * f64::from(width)) as i32;
-        let name = if tick == 16.0 { "16 units: the promise".to_owned() } else { format!("{tick}") };
-        if tick != 100.0 {
-            text(canvas, &name, left + x, top + 27, Alignment::Center);
-        }
+        let name = if tick == 16.0 { "16 units".to_owned() } else { format!("{tick}") };
+        text(canvas, &name, left + x, top + 27, Alignment::Center);
     }
 }
 
@@ -185,22 +183,22 @@ fn cell(scene: Scene, methods: &[Nearest; 3], column: u32, row: u32) -> [f64; 3]
     worst
 }
 
-/// Blue at 0.1 units, white at the promise of 16, red at 10⁶, black beyond.
+/// Blue at 0.1 units, white at 16, where an answer is called wrong, orange above, red at 10⁶, black beyond.
 fn colour(units: f64) -> Rgb888 {
     if !(units <= 1e6) {
         return Rgb888::new(20, 10, 10);
     }
-    let promise = crate::laboratory::DISPLACEMENT.log10();
+    let limit = crate::laboratory::DISPLACEMENT.log10();
     let power = units.max(0.1).log10();
     let mix = |from: [f64; 3], to: [f64; 3], share: f64| {
         let [r, g, b] = std::array::from_fn(|i| (from[i] + (to[i] - from[i]) * share) as u8);
         Rgb888::new(r, g, b)
     };
     let (blue, white, red) = ([40.0, 80.0, 160.0], [245.0, 245.0, 240.0], [190.0, 30.0, 20.0]);
-    if power < promise {
-        mix(blue, white, (power + 1.0) / (promise + 1.0))
+    if power < limit {
+        mix(blue, white, (power + 1.0) / (limit + 1.0))
     } else {
-        let share = (power - promise) / (6.0 - promise);
+        let share = (power - limit) / (6.0 - limit);
         mix([250.0, 205.0, 120.0], red, share)
     }
 }

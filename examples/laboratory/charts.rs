@@ -137,13 +137,14 @@ fn draw(file: &str, panels: &[(&str, Vec<Point>)]) -> Result<(), Box<dyn Error>>
 fn panel(area: &Area, title: &str, points: &[Point]) -> Result<(), Box<dyn Error>> {
     let costs = || points.iter().map(|point| point.cost);
     let (least, most) = (costs().fold(f64::MAX, f64::min), costs().fold(0.0, f64::max));
+    let ticks = TICKS.into_iter().filter(|tick| (0.75 * least..1.9 * most).contains(tick)).collect();
     let across: LogCoord<f64> = (0.75 * least..1.9 * most).log_scale().into();
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 19))
         .margin(12)
         .x_label_area_size(42)
         .y_label_area_size(66)
-        .build_cartesian_2d(across.with_key_points(TICKS.to_vec()), (LOW..HIGH).log_scale())?;
+        .build_cartesian_2d(across.with_key_points(ticks), (LOW..HIGH).log_scale())?;
     chart
         .configure_mesh()
         .x_desc("instructions a solve")

@@ -3,6 +3,7 @@
 //! Across, instructions a solve, the mean over the workload's families; up, wrong answers in 10 000, over all families. What has none lies on a line
 //! of its own at the bottom.
 
+use crate::csv::{Method, costs, rows};
 use crate::laboratory::WRONG;
 use plotters::coord::Shift;
 use plotters::coord::combinators::{BindKeyPoints, LogCoord};
@@ -44,54 +45,22 @@ pub fn write() -> Result<(), Box<dyn Error>> {
     )
 }
 
-/// The lines of a CSV file below its head, split.
-fn rows(file: &str) -> Result<Vec<Vec<String>>, Box<dyn Error>> {
-    let text = std::fs::read_to_string(file).map_err(|error| format!("{file}: {error}"))?;
-    // Only names of families are quoted, and hold commas.
-    let fields = |line: &str| {
-        let mut parts = line.split('"');
-        match (parts.next(), parts.next(), parts.next()) {
-            (Some(before), Some(quoted), Some(after)) => {
-                let before = before.strip_suffix(',').unwrap_or(before).split(',');
-                let after = after.strip_prefix(',').unwrap_or(after).split(',');
-                before.chain([quoted]).chain(after).map(str::to_owned).collect()
-            }
-            _ => line.split(',').map(str::to_owned).collect(),
-        }
-    };
-    Ok(text.lines().skip(1).map(fields).collect())
-}
-
-type Method = (String, String);
-
 /// Wrong answers in 10 000.
 fn wrong() -> Result<BTreeMap<Method, f64>, Box<dyn Error>> {
-    let mut sums: BTreeMap<Method, [f64; 2]> = BTreeMap::new();
-    for row in rows("docs/solvers.csv")? {
-        let [method, backend, _, answers, wrong, ..] = row.as_slice() else {
-            return Err("docs/solvers.csv".into());
-        };
-        let sum = sums.entry((method.clone(), backend.clone())).or_default();
-        sum[0] += answers.parse::<f64>()?;
-        sum[1] += wrong.parse::<f64>()?;
+    let mut shares = BTreeMap::new();
+    for row in rows("docs/solvers.csv")?.into_iter().filter(|row| row[2] == "all") {
+        let share = 1e4 * row[4].parse::<f64>()? / row[3].parse::<f64>()?;
+        shares.insert((row[0].clone(), row[1].clone()), share);
     }
-    Ok(sums.into_iter().map(|(method, [answers, wrong])| (method, 1e4 * wrong / answers)).collect())
+    Ok(shares)
 }
 
 fn points(file: &str, wrong: &BTreeMap<Method, f64>) -> Result<Vec<Point>, Box<dyn Error>> {
-    let mut costs: BTreeMap<Method, Vec<f64>> = BTreeMap::new();
-    for row in rows(file)? {
-        let [method, backend, _, mean, ..] = row.as_slice() else {
-            return Err(file.into());
-        };
-        costs.entry((method.clone(), backend.clone())).or_default().push(mean.parse()?);
-    }
-    let point = |((method, backend), costs): (Method, Vec<f64>)| {
+    let point = |((method, backend), (cost, _)): (Method, (f64, f64))| {
         let wrong = *wrong.get(&(method.clone(), backend.clone()))?;
-        let cost = costs.iter().sum::<f64>() / costs.len() as f64;
         Some(Point { method, backend, cost, wrong })
     };
-    Ok(costs.into_iter().filter_map(point).collect())
+    Ok(costs(file)?.into_iter().filter_map(point).collect())
 }
 
 impl Point {

@@ -2,9 +2,10 @@
 //!
 //! ```text
 //! cargo run --release --example laboratory               all of it: tables, cost, charts, atlas
-//! cargo run --release --example laboratory -- tables     docs/solvers.csv, docs/intersections.csv, the tables of docs/ACCURACY.md
+//! cargo run --release --example laboratory -- tables     docs/solvers.csv, docs/intersections.csv
 //! cargo run --release --example laboratory -- cost       docs/cost-host.csv, instructions counted by valgrind
 //! cargo run --release --example laboratory -- charts     docs/cost-and-error.svg, docs/cost-and-error-soft-float.svg
+//! cargo run --release --example laboratory -- page       the tables of docs/ACCURACY.md, from the CSV files
 //! cargo run --release --example laboratory -- atlas      docs/atlas-*.png, docs/eye-level.png
 //! cargo run --release --example laboratory -- soak 60    60 minutes of fresh questions; what the crate gets wrong, printed
 //! .ci/solvers                                            docs/cost-m4f.csv, docs/cost-m3.csv, counted by QEMU
@@ -20,6 +21,8 @@ mod oracle;
 mod atlas;
 mod charts;
 mod cost;
+mod csv;
+mod page;
 mod progress;
 mod soak;
 mod tables;
@@ -34,11 +37,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             tables::write()?;
             cost::write()?;
             charts::write()?;
+            page::write()?;
             atlas::write()
         }
         ["tables"] => tables::write(),
         ["cost"] => cost::write(),
         ["charts"] => charts::write(),
+        ["page"] => page::write(),
         ["atlas"] => atlas::write(),
         ["soak", minutes] => soak::run(minutes.parse()?),
         ["solve", method, family] => cost::solve(method.parse()?, family.parse()?),

@@ -16,17 +16,12 @@ const SEED: u64 = 1995;
 const QUESTIONS: u64 = 4000;
 const RAYS: u64 = 2000;
 
-const PAGE: &str = "docs/ACCURACY.md";
-
 pub fn write() -> Result<(), Box<dyn Error>> {
     let solvers = solvers();
     std::fs::write("docs/solvers.csv", csv(&solvers, "family", WRONG)?)?;
     let intersections = intersections();
     std::fs::write("docs/intersections.csv", csv(&intersections, "trouble", DISPLACEMENT)?)?;
-    insert("solvers", &summary(&solvers, WRONG)?)?;
-    insert("failures", &matrix(&solvers, WRONG)?)?;
-    insert("intersections", &matrix(&intersections, DISPLACEMENT)?)?;
-    insert("displacements", &summary(&intersections, DISPLACEMENT)?)
+    Ok(())
 }
 
 /// Rows are methods, columns families; each method with its backend.
@@ -88,49 +83,16 @@ fn intersections() -> Table {
 fn csv(table: &Table, column: &str, wrong: f64) -> Result<String, std::fmt::Error> {
     let mut csv = format!("method,backend,{column},answers,wrong,median,p99,worst\n");
     for (method, backend, tallies) in &table.rows {
-        for (name, tally) in table.columns.iter().zip(tallies) {
+        let mut all = Tally::default();
+        tallies.iter().for_each(|tally| all.merge(tally));
+        let names = table.columns.iter().copied().chain(["all"]);
+        for (name, tally) in names.zip(tallies.iter().chain([&all])) {
             let (count, beyond) = (tally.count(), tally.beyond(wrong));
             let [median, p99, worst] = [tally.median(), tally.quantile(0.99), tally.worst()].map(figure);
             writeln!(csv, "{method},{backend},\"{name}\",{count},{beyond},{median},{p99},{worst}")?;
         }
     }
     Ok(csv)
-}
-
-/// A line a method: all families together.
-fn summary(table: &Table, wrong: f64) -> Result<String, std::fmt::Error> {
-    let mut text =
-        "| method | over | answers | wrong | median | 99 % | worst |\n|---|---|--:|--:|--:|--:|--:|\n"
-            .to_owned();
-    for (method, backend, tallies) in &table.rows {
-        let mut all = Tally::default();
-        tallies.iter().for_each(|tally| all.merge(tally));
-        let (count, beyond) = (all.count(), all.beyond(wrong));
-        let [median, p99, worst] = [all.median(), all.quantile(0.99), all.worst()].map(figure);
-        writeln!(text, "| {method} | {backend} | {count} | {beyond} | {median} | {p99} | {worst} |")?;
-    }
-    Ok(text)
-}
-
-/// Wrong answers, a line a family, a column a method.
-fn matrix(table: &Table, wrong: f64) -> Result<String, std::fmt::Error> {
-    let mut text = "| of each ".to_owned();
-    write!(text, "{} |", table.rows[0].2[0].count())?;
-    for (method, backend, _) in &table.rows {
-        write!(text, " {method} {backend} |")?;
-    }
-    write!(text, "\n|---|{}\n", "--:|".repeat(table.rows.len()))?;
-    for (column, name) in table.columns.iter().enumerate() {
-        write!(text, "| {name} |")?;
-        for (_, _, tallies) in &table.rows {
-            match tallies[column].beyond(wrong) {
-                0 => write!(text, " · |")?,
-                beyond => write!(text, " {beyond} |")?,
-            }
-        }
-        writeln!(text)?;
-    }
-    Ok(text)
 }
 
 /// Three significant figures at most.
@@ -142,14 +104,4 @@ fn figure(units: f64) -> String {
         u if u < 10.0 => format!("{u:.2}"),
         u => format!("{u:.0}"),
     }
-}
-
-/// Puts a table between its two marks in the page.
-fn insert(name: &str, table: &str) -> Result<(), Box<dyn Error>> {
-    let page = std::fs::read_to_string(PAGE)?;
-    let (from, to) = (format!("<!-- {name} -->\n"), format!("<!-- /{name} -->"));
-    let (before, rest) = page.split_once(&from).ok_or_else(|| format!("{PAGE} has no {from}"))?;
-    let (_, after) = rest.split_once(&to).ok_or_else(|| format!("{PAGE} has no {to}"))?;
-    std::fs::write(PAGE, format!("{before}{from}{table}{to}{after}"))?;
-    Ok(())
 }

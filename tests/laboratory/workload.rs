@@ -46,8 +46,8 @@ fn near_double(i: u32) -> Item {
     Item { c, lo: 0.0, hi: 1.0 }
 }
 
-/// A ray of the reference camera through the slab of one of the vase's segments, g on it by the mean slab's values: at the slab's planes the ray's points are
-/// P and Q, and `g = f(u) − |P + u·(Q − P)|²`.
+/// A ray of the reference camera at a point of the vase's section through its axis: g along what of it lies in one segment's slab, half a unit on
+/// either side of the axis at most.
 fn ray(i: u32) -> Item {
     const SEGMENTS: [(f32, f32, [f32; 4]); 4] = [
         (0.0, 0.25, [0.04, 0.16, 0.2, 0.2]),
@@ -59,8 +59,9 @@ fn ray(i: u32) -> Item {
     // From (0, −2.2, 0.9) to a point of the slab's section through the axis.
     let (x, z) = (0.45 * uniform(i, 0), low + (high - low) * uniform(i, 1));
     let slope = (z - 0.9) / 2.2;
-    let near = -0.5;
-    let far = 0.5;
+    let at_height = |z: f32| (z - 0.9) / slope - 2.2;
+    let (one, other) = (at_height(low), at_height(high));
+    let (near, far) = (one.min(other).max(-0.5), one.max(other).min(0.5));
     let u = |y: f32| ((0.9 + slope * (y + 2.2) - low) / (high - low)).clamp(0.0, 1.0);
     let (at, du) = (u(near), u(far) - u(near));
     let f = [b0, 3.0 * (b1 - b0), 3.0 * (b2 - 2.0 * b1 + b0), b3 - b0 - 3.0 * (b2 - b1)];

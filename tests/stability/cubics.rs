@@ -7,6 +7,7 @@ use crate::laboratory::judge::Truth;
 use crate::laboratory::peers::PEERS;
 use crate::laboratory::sextic;
 use crate::laboratory::tally::Tally;
+use crate::laboratory::workload;
 use embedded_lathe::Cubic;
 use embedded_lathe::solve::BACKWARD_ERROR;
 
@@ -161,4 +162,16 @@ fn sextics_are_solved_soundly() {
         }
     }
     assert!(with_roots as u64 > QUESTIONS / 5, "{with_roots}");
+}
+
+/// What instructions are counted on: most have a root, the well separated all, the rays not.
+#[test]
+fn the_workload_is_what_it_says() {
+    for (name, make) in workload::FAMILIES {
+        let items = (0..workload::COUNT).map(make);
+        let roots = items.map(|item| Truth::new(&item.c, item.lo, item.hi).roots.len());
+        let with_root = roots.filter(|count| *count > 0).count() as u32;
+        assert!(2 * with_root > workload::COUNT, "{name}: {with_root}");
+        assert!((with_root == workload::COUNT) == (name == "separated"), "{name}: {with_root}");
+    }
 }

@@ -14,4 +14,5 @@ mod laboratory;
 mod oracle;
 
 mod cubics;
+mod found;
 mod rays;

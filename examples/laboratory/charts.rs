@@ -14,6 +14,7 @@ use std::error::Error;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 const SHIPPED: RGBColor = RGBColor(200, 60, 30);
+const CARDANO: RGBColor = RGBColor(215, 140, 20);
 const RIVAL: RGBColor = RGBColor(50, 90, 150);
 const PEER: RGBColor = RGBColor(90, 140, 60);
 
@@ -69,8 +70,9 @@ impl Point {
     }
 
     fn colour(&self) -> RGBColor {
-        match (self.is_shipped(), self.backend.as_str()) {
-            (true, _) => SHIPPED,
+        match (self.method.as_str(), self.backend.as_str()) {
+            ("split", _) => SHIPPED,
+            ("Cardano", _) => CARDANO,
             (_, "f64") => PEER,
             _ => RIVAL,
         }
@@ -80,11 +82,16 @@ impl Point {
         ["split", "Cardano"].contains(&self.method.as_str())
     }
 
-    fn label(&self) -> String {
-        let method = if self.is_shipped() { format!("crate: {}", self.method) } else { self.method.clone() };
-        match self.backend.as_str() {
-            "" => method,
-            backend => format!("{method}, {backend}"),
+    /// The crate's methods by name where they are cheapest, elsewhere by their backend alone: they have their own colours.
+    fn label(&self, points: &[Self]) -> String {
+        let others = points.iter().filter(|other| other.method == self.method);
+        let cheapest = others.fold(f64::INFINITY, |cheapest, other| cheapest.min(other.cost));
+        let backend = self.backend.as_str();
+        match (self.is_shipped(), backend) {
+            (true, _) if self.cost > 1.02 * cheapest => backend.to_owned(),
+            (true, _) => format!("crate: {}, {backend}", self.method),
+            (_, "") => self.method.clone(),
+            _ => format!("{}, {backend}", self.method),
         }
     }
 }
@@ -155,12 +162,12 @@ fn panel(area: &Area, title: &str, points: &[Point]) -> Result<(), Box<dyn Error
         h: (pair[1].1 - pair[0].1).abs() + 2,
     }));
     for (point, &place) in points.iter().zip(&places) {
-        let text = point.label();
-        let size = (text.chars().count() as i32 * 13 * 52 / 100, 13);
-        let spot = spot(place, size, right as i32, &taken);
+        let text = point.label(points);
+        let size = (text.chars().count() as i32 * 13 * 55 / 100, 13);
+        let (spot, aside) = spot(place, size, right as i32, &taken);
         taken.push(spot);
         let (x, y) = (spot.x, spot.y);
-        if place.1 - y > 24 || y - place.1 > 12 {
+        if aside {
             let near = if y < place.1 { y + 13 } else { y };
             let foot = place.0.clamp(x, x + size.0);
             area.draw(&PathElement::new([place, (foot, near)], point.colour().mix(0.5)))?;
@@ -189,21 +196,22 @@ impl Frame {
     }
 }
 
-/// The nearest free place for a label: to the right, to the left, above, below, then farther off.
-fn spot((x, y): (i32, i32), (w, h): (i32, i32), right: i32, taken: &[Frame]) -> Frame {
+/// The nearest free place for a label: to the right, to the left, above, below, then farther off; and whether it is so far off that a line must lead there.
+fn spot((x, y): (i32, i32), (w, h): (i32, i32), right: i32, taken: &[Frame]) -> (Frame, bool) {
     let mut spots = Vec::new();
-    for rise in 0..9 {
+    for rise in 0..12 {
         let dy = 13 * rise;
         for (sx, sy) in [(9, -7), (-9 - w, -7), (-w / 2, -22), (-w / 2, 8)] {
-            spots.push(Frame { x: x + sx, y: y + sy - dy, w, h });
-            spots.push(Frame { x: x + sx, y: y + sy + dy, w, h });
+            spots.push((Frame { x: x + sx, y: y + sy - dy, w, h }, rise > 0));
+            spots.push((Frame { x: x + sx, y: y + sy + dy, w, h }, rise > 0));
         }
     }
-    let inside = |spot: &&Frame| {
-        spot.x > 72 && spot.x + spot.w < right - 8 && spot.y > 30 && spot.y + spot.h < PANEL as i32 - 62
+    let inside = |spot: &Frame| {
+        spot.x > 84 && spot.x + spot.w < right - 8 && spot.y > 30 && spot.y + spot.h < PANEL as i32 - 62
     };
-    let free = |spot: &&Frame| inside(spot) && !taken.iter().any(|other| other.meets(spot));
-    spots.iter().find(free).or(spots.first()).copied().unwrap_or(Frame { x, y, w, h })
+    let free = |spot: &Frame| inside(spot) && !taken.iter().any(|other| other.meets(spot));
+    let first = spots.iter().find(|(spot, _)| free(spot)).or(spots.first());
+    first.copied().unwrap_or((Frame { x, y, w, h }, false))
 }
 
 /// Those that no other beats in both, from the cheapest on.

@@ -99,7 +99,7 @@ fn csv(table: &Table, column: &str, wrong: f64) -> Result<String, std::fmt::Erro
 fn figure(units: f64) -> String {
     match units {
         u if u.is_infinite() => "∞".to_owned(),
-        u if u == 0.0 => "0".to_owned(),
+        0.0 => "0".to_owned(),
         u if u < 0.01 || u >= 1e5 => format!("{u:.0e}"),
         u if u < 10.0 => format!("{u:.2}"),
         u => format!("{u:.0}"),

@@ -2,7 +2,7 @@
 
 use crate::bare::exit;
 use crate::contenders::{EVERYWHERE, FirstRoot};
-use crate::workload::{COUNT, FAMILIES, Item};
+use crate::workload::{COUNT, FAMILIES, Item, Make};
 use core::{arch::asm, hint::black_box};
 use cortex_m as _; // its critical section
 use cortex_m_rt::entry;
@@ -21,7 +21,7 @@ fn main() -> ! {
     exit(EXIT_SUCCESS)
 }
 
-fn solves(method: &str, backend: &str, family: &str, make: fn(u32) -> Item, first_root: FirstRoot) {
+fn solves(method: &str, backend: &str, family: &str, make: Make, first_root: FirstRoot) {
     for i in 0..COUNT {
         let Item { c, lo, hi } = make(i);
         let (c, lo, hi) = black_box((c, lo, hi));

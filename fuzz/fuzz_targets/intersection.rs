@@ -10,7 +10,10 @@ mod oracle;
 
 use arbitrary::Arbitrary;
 use cases::{Cast, Outline};
-use embedded_lathe::{Profile, Ray, math, solve::{Cardano, DefaultSolver}};
+use embedded_lathe::{
+    Profile, Ray, math,
+    solve::{Cardano, DefaultSolver},
+};
 use laboratory::{forms, hits::Truth};
 use libfuzzer_sys::fuzz_target;
 
@@ -65,6 +68,10 @@ fuzz_target!(|input: Input| {
         forms::shipped::<Cardano<math::Micromath>>(&lathe, &cast),
     ] {
         let units = truth.judge(answer);
-        assert!(units <= 16.0, "{cast:?} {outline:?}: {answer:?} is {units} units off; truth {:?}", truth.crossings);
+        assert!(
+            units <= 16.0,
+            "{cast:?} {outline:?}: {answer:?} is {units} units off; truth {:?}",
+            truth.crossings
+        );
     }
 });

@@ -46,7 +46,7 @@ fuzz_target!(|input: Input| {
     let (lathe, Ok(ray)) = (Lathe::turn(profile.closed()), Ray::new(*origin, *direction)) else {
         return;
     };
-    // Known: beyond this, distances overflow.
+    // Farther out distances overflow.
     let numbers = knots.iter().chain(origin);
     if numbers.fold(0f32, |size, x| size.max(x.abs())) > 1e15 {
         return;

@@ -71,7 +71,7 @@ impl Polynomial {
         let slope = self.derivative();
         let mut turns = match slope.0.as_slice() {
             [c, b, a] => quadratic(a, b, c),
-            [c, b] => quadratic(&(c - c), b, c),
+            [c, b] => quadratic(&exact(0.0), b, c),
             [_] | [] => Vec::new(),
             _ => slope.roots(lo, hi),
         };

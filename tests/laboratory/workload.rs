@@ -14,7 +14,10 @@ pub struct Item {
     pub hi: f32,
 }
 
-pub const FAMILIES: [(&str, fn(u32) -> Item); 3] =
+/// The index-th cubic of a family.
+pub type Make = fn(u32) -> Item;
+
+pub const FAMILIES: [(&str, Make); 3] =
     [("rays", ray), ("separated", separated), ("near-double", near_double)];
 
 /// A uniform number in [0, 1) for every index: Knuth's multiplicative hash, mixed.

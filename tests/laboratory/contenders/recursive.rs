@@ -22,8 +22,7 @@ pub fn first_root(c: &[f32], lo: f32, hi: f32) -> Option<f32> {
         if last && before == 0.0 {
             return Some(lo);
         }
-        for k in 0..=count {
-            let to = if k < count { cuts[k] } else { hi };
+        for &to in cuts.iter().take(count).chain([&hi]) {
             let after = value(d, to);
             if (before > 0.0) != (after > 0.0) {
                 let root = bracketed(d, from, to, before > 0.0);

@@ -33,9 +33,9 @@ pub fn run(minutes: u64) -> Result<(), Box<dyn Error>> {
                     if !(units <= f64::from(BACKWARD_ERROR)) {
                         wrong += 1;
                         let (method, backend) = (method.method, method.backend);
-                        bar.println(format!(
-                            "{method} over {backend}: {question:?}: {answer:?}, {units} units"
-                        ));
+                        bar.suspend(|| {
+                            println!("{method} over {backend}: {question:?}: {answer:?}, {units} units")
+                        });
                     }
                 }
             }
@@ -49,7 +49,7 @@ pub fn run(minutes: u64) -> Result<(), Box<dyn Error>> {
                 questions += 1;
                 if !(units <= PROMISE) {
                     wrong += 1;
-                    bar.println(format!("{}: {case}\n  {answer:?}, {units} units", trouble.name));
+                    bar.suspend(|| println!("{}: {case}\n  {answer:?}, {units} units", trouble.name));
                 }
             }
         }

@@ -20,6 +20,10 @@ fuzz_target!(|input: ([f32; 4], f32, f32)| {
         assert!(Cubic::new(c).first_root(lo, hi).is_none_or(|root| lo <= root && root <= hi));
         return;
     }
+    // Known: farther out powers overflow, and coefficients that matter there underflow.
+    if lo.abs().max(hi.abs()) > 1e12 {
+        return;
+    }
     let truth = Truth::new(&c, lo, hi);
     for method in EVERYWHERE.iter().chain(HOST).filter(|method| method.shipped) {
         let answer = (method.first_root)(&c, lo, hi);

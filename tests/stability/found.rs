@@ -93,6 +93,21 @@ mod not_yet_mended {
         );
     }
 
+    /// The waist of an hourglass, where the squared radius touches zero inside a segment.
+    #[test]
+    fn a_waist_of_no_radius() {
+        let ordinates = [0.25, -0.083333336, -0.083333336, 0.25];
+        let hourglass = |origin, direction| met(&[0.0, 1.0], &ordinates, 1.0, origin, direction);
+        hourglass([1.644349, 2.7422183, 2.903231], [-0.41108724, -0.68555456, -0.60085124]);
+        hourglass([-0.34456694, 0.90732765, -1.2490969], [0.17228347, -0.45366383, 0.8743612]);
+    }
+
+    /// Beyond 10¹⁵ a coefficient may be flushed to zero whose term is not small.
+    #[test]
+    fn roots_far_out() {
+        solved([-1.1876598e38, -2.0803189e-8, -2.0803189e-8, -2.0803189e-8], -1.1876521e38, -34360467000.0);
+    }
+
     /// A disc a million times wider than high.
     #[test]
     fn any_hit_and_all_hits_of_a_sheet() {

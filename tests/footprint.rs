@@ -61,7 +61,7 @@ const ROWS: [Row; 3] = [
         with: "footprint-ray",
         without: "footprint-nothing",
         targets: &[M0, M3, M4F],
-        flash: 4 * 1024,
+        flash: 13 * 512,
         ram: 0,
     },
     Row {

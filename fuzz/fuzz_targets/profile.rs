@@ -1,0 +1,73 @@
+//! Any numbers as a profile: what is accepted has no negative squared radius beyond the stated rounding, what is refused as negative has one, and a ray at what is accepted gives
+//! numbers.
+#![no_main]
+
+#[path = "../../tests/cases/mod.rs"]
+mod cases;
+#[path = "../../tests/laboratory/mod.rs"]
+mod laboratory;
+#[path = "../../tests/oracle/mod.rs"]
+mod oracle;
+
+use arbitrary::Arbitrary;
+use embedded_lathe::{Lathe, Profile, ProfileError, Ray};
+use laboratory::exact::{Exact, Polynomial, exact, float};
+use libfuzzer_sys::fuzz_target;
+
+#[derive(Arbitrary, Debug)]
+struct Input {
+    knots: Vec<f32>,
+    ordinates: Vec<f32>,
+    squash: f32,
+    origin: [f32; 3],
+    direction: [f32; 3],
+}
+
+fuzz_target!(|input: Input| {
+    let Input { knots, ordinates, squash, origin, direction } = &input;
+    let least = |segment: usize| least(&ordinates[3 * segment..3 * segment + 4]);
+    let profile = match Profile::<8>::new(knots, ordinates) {
+        Ok(profile) => profile,
+        Err(ProfileError::Negative { segment }) => {
+            assert!(least(segment) < 0.0, "{input:?}");
+            return;
+        }
+        Err(_) => return,
+    };
+    for segment in 0..profile.segments() {
+        let largest = ordinates[3 * segment..3 * segment + 4].iter().fold(0f32, |size, b| size.max(b.abs()));
+        let slack = 2.0 * 8.0 / 16_777_216.0 * f64::from(largest);
+        assert!(least(segment) >= -slack, "{input:?} {}", least(segment));
+    }
+    let Ok(profile) = profile.squash(*squash) else {
+        assert!(!(0.0..=1.0).contains(squash));
+        return;
+    };
+    let (lathe, Ok(ray)) = (Lathe::turn(profile.closed()), Ray::new(*origin, *direction)) else {
+        return;
+    };
+    // Farther out distances overflow.
+    let numbers = knots.iter().chain(origin);
+    if numbers.fold(0f32, |size, x| size.max(x.abs())) > 1e15 {
+        return;
+    }
+    let hits = lathe.hits::<26>(&ray, 0.0);
+    for hit in &hits {
+        assert!(!hit.t.is_nan() && (0.0..=1.0).contains(&hit.u), "{input:?} {hit:?}");
+        let seen = lathe.surface(&ray, hit);
+        assert!(!seen.normal.to_array().iter().any(|n| n.is_nan()), "{input:?} {hit:?} {seen:?}");
+    }
+    assert_eq!(lathe.nearest(&ray, 0.0), hits.first().copied(), "{input:?}");
+    assert_eq!(lathe.is_hit(&ray, 0.0), !hits.is_empty(), "{input:?}");
+});
+
+/// The exact least value of a segment, rounded once.
+fn least(b: &[f32]) -> f64 {
+    let [b0, b1, b2, b3]: [Exact; 4] = std::array::from_fn(|j| exact(b[j]));
+    let three = exact(3.0);
+    let (d1, d2) = (&b1 - &b0, &b2 - &b1);
+    let f = Polynomial(vec![b0.clone(), &three * &d1, &three * (&d2 - &d1), &b3 - &b0 - &three * &d2]);
+    let (zero, one) = (exact(0.0), exact(1.0));
+    let turns = f.turns(&zero, &one).into_iter().map(|u| f.at(&u));
+    turns.chain([b0, b3]).map(|f| float(&f)).fold(f64::INFINITY, f64::min)
+}

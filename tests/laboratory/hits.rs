@@ -1,0 +1,209 @@
+//! The truth about a ray and an outline's wall, for exactly the f32 numbers given, and how far an answer is from it.
+//!
+//! On a segment, with ζ = z − zᵢ and h its height, `h³·g(t) = Σ fⱼ·h³⁻ʲ·ζʲ − h³·(k·x² + y²)` is a polynomial in t with dyadic coefficients: its signs and
+//! roots are certified ([`super::exact`]).
+//!
+//! The error of "the nearest crossing is at t" is the least displacement that makes it true: of the point there, onto the surface; and of
+//! every point before it that is on the wrong side, out of there (or beyond an end, or before the ray's start). In units of
+//! 2⁻²⁴·(size + distance of the origin). Points are sampled densely, so it too is a lower bound.
+
+use super::exact::{Exact, Polynomial, exact, float, quotient};
+use crate::cases::{Case, Cast, Outline};
+
+pub struct Truth<'a> {
+    outline: &'a Outline,
+    cast: Cast,
+    unit: f64,
+    pieces: Vec<Piece>,
+    /// Along the ray: where, and how deep inside (positive) or outside.
+    samples: Vec<(f64, f64)>,
+    /// The t of every crossing, ascending.
+    pub crossings: Vec<f64>,
+}
+
+struct Piece {
+    segment: usize,
+    g: Polynomial,
+    from: Exact,
+    to: Exact,
+}
+
+/// Samples between two neighbouring turning points.
+const SAMPLES: u32 = 8;
+
+impl<'a> Truth<'a> {
+    pub fn new(case: &Case<'a>) -> Self {
+        Self::of(case.outline, case.cast, case.eps(1.0))
+    }
+
+    pub fn of(outline: &'a Outline, cast: Cast, unit: f64) -> Self {
+        let mut truth = Self {
+            outline,
+            cast,
+            unit,
+            pieces: pieces(outline, &cast),
+            samples: Vec::new(),
+            crossings: Vec::new(),
+        };
+        for piece in &truth.pieces {
+            let mut cuts = vec![piece.from.clone()];
+            cuts.extend(piece.g.turns(&piece.from, &piece.to));
+            cuts.push(piece.to.clone());
+            for pair in cuts.windows(2) {
+                for i in 0..=SAMPLES {
+                    let share = exact(f64::from(i) / f64::from(SAMPLES));
+                    let t = &pair[0] + (&pair[1] - &pair[0]) * share;
+                    let depth = truth.depth(piece, &t);
+                    truth.samples.push((float(&t), depth));
+                }
+            }
+            let roots = piece.g.roots(&piece.from, &piece.to);
+            truth.crossings.extend(roots.iter().map(float));
+        }
+        truth.crossings.dedup();
+        truth
+    }
+
+    /// The error of an answer, in units.
+    pub fn judge(&self, answer: Option<f32>) -> f64 {
+        let (residual, end) = match answer {
+            Some(t) if t > self.cast.t_min && t.is_finite() => (self.residual(t), f64::from(t)),
+            Some(_) => return f64::INFINITY,
+            None => (0.0, f64::INFINITY),
+        };
+        let before = self.samples.iter().filter(|(t, _)| *t < end);
+        let (inside, outside) = before
+            .fold((0f64, 0f64), |(inside, outside), &(_, depth)| (inside.max(depth), outside.max(-depth)));
+        residual.max(inside.min(outside)) / self.unit
+    }
+
+    /// From the point at t to the surface.
+    fn residual(&self, t: f32) -> f64 {
+        let at = exact(t);
+        let [x, y, z] = point(&self.cast, &at);
+        let knots = &self.outline.knots;
+        let (bottom, top) = (exact(knots[0]), exact(knots[knots.len() - 1]));
+        let beyond = float(&(&bottom - &z)).max(float(&(&z - &top))).max(0.0);
+        let held = z.clamp(bottom, top);
+        let above = knots.partition_point(|&knot| exact(knot) <= held);
+        let segment = above.clamp(1, knots.len() - 1) - 1;
+        let (f, h) = ordinates(self.outline, segment);
+        let zeta = &held - exact(knots[segment]);
+        let value = polynomial_of_height(&f, &h).at(&zeta)
+            - &h * &h * &h * (exact(self.outline.k) * &x * &x + &y * &y);
+        let value = float(&value) / float(&h).powi(3);
+        let wall = self.distance(segment, [float(&x), float(&y)], float(&zeta), value);
+        wall.max(beyond)
+    }
+
+    fn depth(&self, piece: &Piece, t: &Exact) -> f64 {
+        let knots = &self.outline.knots;
+        let [x, y, z] = point(&self.cast, t);
+        let h = f64::from(knots[piece.segment + 1]) - f64::from(knots[piece.segment]);
+        let value = float(&piece.g.at(t)) / h.powi(3);
+        let zeta = float(&(&z - exact(knots[piece.segment])));
+        let wall = self.distance(piece.segment, [float(&x), float(&y)], zeta, value);
+        let to_end = [knots[0], knots[knots.len() - 1]].map(|knot| float(&(&z - exact(knot))).abs());
+        let length = self.cast.direction.map(f64::from).iter().map(|d| d * d).sum::<f64>().sqrt();
+        let to_start = float(&(t - exact(self.cast.t_min))) * length;
+        wall.min(to_end[0]).min(to_end[1]).min(to_start).max(0.0).copysign(value)
+    }
+
+    /// From a point to the surface, about: g changes by `n·d + κ·d²` at most over a distance d, n the length of its gradient and κ half its second derivative.
+    fn distance(&self, segment: usize, [x, y]: [f64; 2], zeta: f64, value: f64) -> f64 {
+        let (f, h) = ordinates(self.outline, segment);
+        let [_, f1, f2, f3] = f.map(|f| float(&f));
+        let h = float(&h);
+        let (u, k) = ((zeta / h).clamp(0.0, 1.0), f64::from(self.outline.k));
+        let slope = ((3.0 * f3 * u + 2.0 * f2) * u + f1) / h;
+        let bend = ((3.0 * f3 * u + f2) / (h * h)).abs().max(1.0);
+        let n = (2.0 * k * x).hypot(2.0 * y).hypot(slope);
+        let size = value.abs();
+        if size == 0.0 { 0.0 } else { 2.0 * size / (n + (n * n + 4.0 * bend * size).sqrt()) }
+    }
+}
+
+fn point(cast: &Cast, t: &Exact) -> [Exact; 3] {
+    std::array::from_fn(|i| exact(cast.origin[i]) + exact(cast.direction[i]) * t)
+}
+
+/// f as powers of u, and h.
+fn ordinates(outline: &Outline, segment: usize) -> ([Exact; 4], Exact) {
+    let [b0, b1, b2, b3] = std::array::from_fn(|j| exact(outline.ordinates[3 * segment + j]));
+    let three = exact(3.0);
+    let (d1, d2) = (&b1 - &b0, &b2 - &b1);
+    let f = [b0.clone(), &three * &d1, &three * (&d2 - &d1), b3 - b0 - &three * &d2];
+    (f, exact(outline.knots[segment + 1]) - exact(outline.knots[segment]))
+}
+
+/// `h³·f` as a polynomial of ζ.
+fn polynomial_of_height(f: &[Exact; 4], h: &Exact) -> Polynomial {
+    let (h2, h3) = (h * h, h * h * h);
+    Polynomial(vec![&f[0] * &h3, &f[1] * &h2, &f[2] * h, f[3].clone()])
+}
+
+/// The ray's stretches in the slabs of the segments, in order.
+fn pieces(outline: &Outline, cast: &Cast) -> Vec<Piece> {
+    let knots = &outline.knots;
+    let start = exact(cast.t_min);
+    let [.., z] = cast.origin;
+    let [.., c] = cast.direction;
+    let last = knots.len() - 2;
+    if c == 0.0 {
+        let above = knots.partition_point(|&knot| knot <= z);
+        let segment = above.clamp(1, knots.len() - 1) - 1;
+        let inside = knots[0] <= z && z <= knots[last + 1];
+        let end = far_end(outline, cast).filter(|end| inside && *end > f64::from(cast.t_min));
+        return Vec::from_iter(end.map(|end| Piece {
+            segment,
+            g: along(outline, segment, cast),
+            from: start,
+            to: exact(end),
+        }));
+    }
+    let plane = |knot: f32| quotient(&(exact(knot) - exact(z)), &exact(c));
+    let piece = |segment: usize| {
+        let mut ends = [plane(knots[segment]), plane(knots[segment + 1])];
+        ends.sort();
+        let [from, to] = ends;
+        (to > start).then(|| Piece {
+            segment,
+            g: along(outline, segment, cast),
+            from: from.max(start.clone()),
+            to,
+        })
+    };
+    if c > 0.0 {
+        (0..=last).filter_map(piece).collect()
+    } else {
+        (0..=last).rev().filter_map(piece).collect()
+    }
+}
+
+/// `h³·g` as a polynomial of t.
+fn along(outline: &Outline, segment: usize, cast: &Cast) -> Polynomial {
+    let (f, h) = ordinates(outline, segment);
+    let [x, y, z] = cast.origin.map(exact);
+    let [a, b, c] = cast.direction.map(exact);
+    let Polynomial(e) = polynomial_of_height(&f, &h);
+    let d = z - exact(outline.knots[segment]);
+    let (two, three, k, h3) = (exact(2.0), exact(3.0), exact(outline.k), &h * &h * &h);
+    let [e0, e1, e2, e3] = [&e[0], &e[1], &e[2], &e[3]];
+    Polynomial(vec![
+        e0 + e1 * &d + e2 * &d * &d + e3 * &d * &d * &d - &h3 * (&k * &x * &x + &y * &y),
+        &c * (e1 + &two * e2 * &d + &three * e3 * &d * &d) - &two * &h3 * (&k * &a * &x + &b * &y),
+        &c * &c * (e2 + &three * e3 * &d) - &h3 * (&k * &a * &a + &b * &b),
+        &c * &c * &c * e3,
+    ])
+}
+
+/// Where a ray has left a cylinder of twice the largest radius for good, if it ever does.
+fn far_end(outline: &Outline, cast: &Cast) -> Option<f64> {
+    let [x, y, _] = cast.origin.map(f64::from);
+    let [a, b, _] = cast.direction.map(f64::from);
+    let k = f64::from(outline.k);
+    let square = 4.0 * outline.ordinates.iter().copied().fold(0.0, f32::max);
+    let (q, p) = (k * a * a + b * b, k * a * x + b * y);
+    let under = p * p - q * (k * x * x + y * y - f64::from(square));
+    (q > 0.0 && under > 0.0).then(|| (-p + under.sqrt()) / q)
+}

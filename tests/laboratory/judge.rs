@@ -1,0 +1,85 @@
+//! How wrong an answer is.
+//!
+//! The backward error of "the first root in [lo, hi] is u" is the smallest relative change of the coefficients that makes it true, here in units of
+//! 2⁻²⁴. Changing every coefficient by δ relative changes g(v) by at most `δ·size(v)`, `size(v) = Σ |cⱼ·vʲ|`. So to make u a root
+//! takes `|g(u)|/size(u)`, and to unmake a stretch of the wrong sign before u takes the largest `|g(v)|/size(v)` on it; that lies at a turning
+//! point of g, or at lo, to a relative error of the order of δ itself. For "there is none", the stretch ends at hi.
+//! What is computed is therefore a lower bound: an answer that it calls wrong is wrong.
+
+use super::exact::{Exact, Polynomial, exact, float, quotient, sign};
+
+/// Everything the judge needs to know of a polynomial on an interval.
+pub struct Truth {
+    g: Polynomial,
+    lo: f64,
+    hi: f64,
+    /// lo, the turning points, and hi: where, and `g/size` there.
+    extremes: Vec<(f64, f64)>,
+    /// Certified, ascending.
+    pub roots: Vec<f64>,
+}
+
+/// What the judge says of an answer.
+#[derive(Clone, Copy, Debug)]
+pub struct Verdict {
+    /// Backward error, in units of 2⁻²⁴.
+    pub units: f64,
+    /// From the certified first root, relative to the interval; none if either of the two says that there is no root.
+    pub distance: Option<f64>,
+}
+
+const UNITS: f64 = 16_777_216.0;
+
+impl Truth {
+    pub fn new(c: &[f32], lo: f32, hi: f32) -> Self {
+        let g = Polynomial::new(c);
+        let ends = [exact(lo), exact(hi)];
+        let mut places = vec![ends[0].clone()];
+        places.extend(g.turns(&ends[0], &ends[1]));
+        places.push(ends[1].clone());
+        let extremes = places.iter().map(|u| (float(u), ratio(&g, u))).collect();
+        let roots = g.roots(&ends[0], &ends[1]).iter().map(float).collect();
+        Self { g, lo: lo.into(), hi: hi.into(), extremes, roots }
+    }
+
+    pub fn judge(&self, answer: Option<f64>) -> Verdict {
+        let units = UNITS * self.backward_error(answer);
+        let distance = answer.zip(self.roots.first()).map(|(u, root)| (u - root).abs() / (self.hi - self.lo));
+        Verdict { units, distance }
+    }
+
+    /// What it takes to make u a root, in units.
+    pub fn residual(&self, u: f64) -> f64 {
+        UNITS * ratio(&self.g, &exact(u)).abs()
+    }
+
+    /// What it takes to change the number of roots, in units: the least value at a turning point, an end, or the point of inflection, where
+    /// two turning points may be born.
+    pub fn clearance(&self) -> f64 {
+        let flat = match self.g.0.as_slice() {
+            [_, _, c2, c3] if sign(c3) != 0 => {
+                let u = -quotient(c2, &(exact(3.0) * c3));
+                ratio(&self.g, &u).abs()
+            }
+            _ => f64::INFINITY,
+        };
+        UNITS * self.extremes.iter().map(|(_, ratio)| ratio.abs()).fold(flat, f64::min)
+    }
+
+    fn backward_error(&self, answer: Option<f64>) -> f64 {
+        let (residual, end) = match answer {
+            Some(u) if self.lo <= u && u <= self.hi => (ratio(&self.g, &exact(u)).abs(), u),
+            Some(_) => return f64::INFINITY,
+            None => (0.0, f64::INFINITY),
+        };
+        let before = self.extremes.iter().filter(|(at, _)| *at < end);
+        let (above, below) =
+            before.fold((0f64, 0f64), |(above, below), &(_, ratio)| (above.max(ratio), below.max(-ratio)));
+        residual.max(above.min(below))
+    }
+}
+
+fn ratio(g: &Polynomial, u: &Exact) -> f64 {
+    let (value, size) = (float(&g.at(u)), float(&g.size(u)));
+    if size > 0.0 { value / size } else { 0.0 }
+}

@@ -1,0 +1,43 @@
+//! Verdicts, summed up.
+
+/// Answers of one method to one family.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    /// Backward errors in units of 2⁻²⁴, or displacements in units of 2⁻²⁴·(size + distance).
+    units: Vec<f64>,
+}
+
+impl Tally {
+    pub fn add(&mut self, units: f64) {
+        // No number at all is as wrong as can be.
+        self.units.push(if units.is_nan() { f64::INFINITY } else { units });
+    }
+
+    pub fn merge(&mut self, other: &Self) {
+        self.units.extend(&other.units);
+    }
+
+    pub fn count(&self) -> usize {
+        self.units.len()
+    }
+
+    /// How many answers are more wrong than that.
+    pub fn beyond(&self, units: f64) -> usize {
+        self.units.iter().filter(|&&u| u > units).count()
+    }
+
+    pub fn worst(&self) -> f64 {
+        self.units.iter().copied().fold(0.0, f64::max)
+    }
+
+    pub fn median(&self) -> f64 {
+        self.quantile(0.5)
+    }
+
+    pub fn quantile(&self, share: f64) -> f64 {
+        let mut sorted = self.units.clone();
+        sorted.sort_by(f64::total_cmp);
+        let last = sorted.len().saturating_sub(1);
+        sorted.get((share * last as f64).round() as usize).copied().unwrap_or(0.0)
+    }
+}

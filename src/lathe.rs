@@ -209,7 +209,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
         walk::<S, _>(self.view(), ray, t_min, |meeting| match meeting {
             Meeting::Cap(_) => ControlFlow::Break(()),
-            Meeting::Chord(chord) if chord.later && chord.crosses::<S>() => ControlFlow::Break(()),
+            Meeting::Chord(chord) if chord.is_beyond() && chord.crosses::<S>() => ControlFlow::Break(()),
             Meeting::Chord(chord) => first::<S>(&chord, t_min).map_break(|_| ()),
         })
         .is_some()

@@ -66,6 +66,8 @@
 //!   as it should, and what it hits is what it should.
 //! - A hit lies within 4 units, over the cosine of incidence, of where it should; its distance counts as
 //!   distance, too.
+//! - A waist of no radius is as exact as the rest if a knot lies there. Where f touches zero inside a segment
+//!   the radius is known to √(8ε) of the segment's largest, for f is known to 8ε of its square.
 //! - Nearer than that to a silhouette a ray may hit or miss; it never hits far away. Nothing is NaN, nothing
 //!   panics, nothing slips through a join.
 //!

@@ -14,7 +14,7 @@ pub(super) struct Chord<'a> {
     /// Whether the ray is inside the solid as the chord begins.
     pub inside: bool,
     /// Whether the chord begins beyond `t_min`, not there.
-    pub later: bool,
+    later: bool,
     /// Where on the path s = 0.
     origin: f32,
     /// g over s.
@@ -127,6 +127,12 @@ impl<'a> Chord<'a> {
             }
         }
         ControlFlow::Continue(inside)
+    }
+
+    /// Whether any crossing of it lies beyond `t_min`, and no farther than a number can tell.
+    #[inline(always)]
+    pub fn is_beyond(&self) -> bool {
+        self.later && self.path.distance(self.origin + self.to) < f32::INFINITY
     }
 
     /// Whether there is a crossing at all: signs, no root.

@@ -78,12 +78,12 @@ impl Picture<'_> {
         for (pixel, x) in run.iter_mut().zip(x..) {
             *pixel = C::paint(behind, x, y);
         }
-        let rays = self.rays(x, y);
+        let rays = self.rays(y);
         let mut depths = [f32::INFINITY; RUN];
         for solid in *solids {
             let seen = solid.seen_along(&rays, light);
             for (i, (pixel, depth)) in run.iter_mut().zip(&mut depths).enumerate() {
-                if let Some((t, colour)) = seen.pixel(i, *depth) {
+                if let Some((t, colour)) = seen.pixel(x + i as u32, *depth) {
                     *depth = t;
                     *pixel = C::paint(colour, x + i as u32, y);
                 }
@@ -91,10 +91,10 @@ impl Picture<'_> {
         }
     }
 
-    /// The rays through the pixels of row y from column x on.
-    fn rays(&self, x: u32, y: u32) -> Rays {
+    /// The rays through the pixels of row y, from column 0 on: a pixel's is the same whichever run it is in.
+    fn rays(&self, y: u32) -> Rays {
         let camera = &self.scene.camera;
-        let first = camera.ray(x, y, self.width, self.height);
+        let first = camera.ray(0, y, self.width, self.height);
         let step = camera.right * (2.0 / self.width as f32);
         let none = F32x3::default();
         let (origin_step, direction_step) = match camera.projection {

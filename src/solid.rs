@@ -113,7 +113,7 @@ pub(crate) struct Seen<'a> {
 impl Seen<'_> {
     /// The distance and the colour of what the i-th ray sees of the solid, nearer than `nearest`.
     #[inline(always)]
-    pub fn pixel(&self, i: usize, nearest: f32) -> Option<(f32, Rgb)> {
+    pub fn pixel(&self, i: u32, nearest: f32) -> Option<(f32, Rgb)> {
         let i = i as f32;
         let ray = Ray {
             origin: self.rays.origin + self.rays.origin_step * i,

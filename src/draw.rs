@@ -61,6 +61,8 @@ impl<'a> Picture<'a> {
 }
 
 /// A [`Picture`] in a display's colours: an [`ImageDrawable`].
+///
+/// Made by [`Picture::drawable`], where there is an example.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Drawable<'a, C> {

@@ -4,6 +4,11 @@ use super::Math;
 ///
 /// Its `cbrt` and `cos` work in f64 inside, which costs more than a thousand instructions each on a
 /// Cortex-M4F.
+///
+/// ```
+/// use embedded_lathe::math::{Libm, Math};
+/// assert_eq!(Libm::cbrt(27.0), 3.0);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Libm;

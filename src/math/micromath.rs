@@ -6,6 +6,12 @@ use micromath::F32Ext;
 /// Its functions serve as seeds. The root is brought to full accuracy by three Newton steps on `1/√x`,
 /// `y ← y·(3/2 − x/2·y²)`, each of which squares the relative error: 3.5 %, 0.2 %, 5·10⁻⁶, rounding. It takes
 /// no division.
+///
+/// ```
+/// use embedded_lathe::math::{Math, Micromath};
+/// assert!((Micromath::sqrt(2.0) - 2_f32.sqrt()).abs() < 2e-7);
+/// assert!((Micromath::acos(0.5) - 0.5_f32.acos()).abs() < 0.03); // a seed
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Micromath;

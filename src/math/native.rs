@@ -7,6 +7,11 @@ use super::{Libm, Math};
 /// | hard-float Arm without an operating system | `vsqrt.f32` |
 /// | host, feature `std` | the standard library's |
 /// | any other | [`Libm`]'s |
+///
+/// ```
+/// use embedded_lathe::math::{Libm, Math, Native};
+/// assert_eq!(Native::sqrt(2.0).to_bits(), Libm::sqrt(2.0).to_bits());
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Native;

@@ -3,6 +3,11 @@ extern crate std;
 use super::Math;
 
 /// The standard library's functions, on hosts.
+///
+/// ```
+/// use embedded_lathe::math::{Math, Std};
+/// assert_eq!(Std::sqrt(2.0), 2_f32.sqrt());
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Std;

@@ -18,6 +18,13 @@ use core::marker::PhantomData;
 /// restores.
 ///
 /// Sound for every finite cubic over every backend; see the [module](super) for the bound.
+///
+/// ```
+/// use embedded_lathe::{Cubic, math::Libm, solve::Cardano};
+///
+/// let roots = Cubic::new([0.0, -1.0, 0.0, 1.0]).roots_by::<Cardano<Libm>>(-2.0, 2.0);
+/// assert_eq!(roots, [-1.0, 0.0, 1.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cardano<M = Native>(PhantomData<M>);

@@ -3,6 +3,11 @@ use crate::cubic::Cubic;
 use crate::math::Math;
 
 /// A turning point of a cubic.
+///
+/// ```
+/// use embedded_lathe::solve::Turning;
+/// let nowhere = Turning { at: f32::INFINITY, height: f32::INFINITY };
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Turning {
@@ -13,6 +18,23 @@ pub struct Turning {
 }
 
 /// The monotone piece of a cubic that holds its first crossing. The cubic falls from `lo`, where it is positive, to `hi`, where it is negative.
+///
+/// ```
+/// use embedded_lathe::{Cubic, math::Native, solve::{Piece, Solver}};
+///
+/// /// Bisection: a solver without an idea of its own.
+/// struct Middle;
+///
+/// impl Solver for Middle {
+///     type Math = Native;
+///     fn seed(_: &Cubic, piece: &Piece) -> f32 {
+///         0.5 * (piece.lo + piece.hi)
+///     }
+/// }
+///
+/// let root = Cubic::new([-0.1, 0.0, 0.0, 0.8]).first_root_by::<Middle>(0.0, 1.0);
+/// assert!((root.unwrap() - 0.5).abs() < 1e-7);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Piece {

@@ -12,6 +12,14 @@ use core::marker::PhantomData;
 /// rules and the seed comes from the point of inflection.
 ///
 /// Sound for every finite cubic; see the [module](super) for the bound.
+///
+/// ```
+/// use embedded_lathe::{Cubic, math::Micromath, solve::Split};
+///
+/// let g = Cubic::new([-0.25, 0.0, 1.0, 0.0]); // u² − 1/4
+/// let root = g.first_root_by::<Split<Micromath>>(0.0, 1.0).unwrap();
+/// assert!((root - 0.5).abs() < 1e-7);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Split<M = Native>(PhantomData<M>);

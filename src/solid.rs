@@ -70,10 +70,10 @@ impl<'a> Solid<'a> {
 
     /// The solid as seen along rays that change evenly: the first and the change from one to the next,
     /// brought into object space once for all of them.
-    pub(crate) fn seen_along(&self, rays: &Rays, light: &Light) -> Seen<'a> {
+    pub(crate) fn seen_along(&self, rays: &Rays, light: &Light) -> Seen<'_> {
         let (pose, back) = (&self.pose, |v| self.pose.rotation.back(v));
         Seen {
-            solid: *self,
+            solid: self,
             rays: Rays {
                 origin: pose.point_into(rays.origin),
                 origin_step: back(rays.origin_step) * (1.0 / pose.scale),
@@ -104,7 +104,7 @@ pub(crate) struct Rays {
 
 /// A solid, some rays and the light, all in the solid's own space.
 pub(crate) struct Seen<'a> {
-    solid: Solid<'a>,
+    solid: &'a Solid<'a>,
     rays: Rays,
     unit: f32,
     light: Light,
@@ -128,7 +128,7 @@ impl Seen<'_> {
     /// The wall seen from within turns its other side.
     #[inline(always)]
     fn colour(&self, ray: &Ray, hit: &Hit) -> Rgb {
-        let Solid { lathe, colour, shininess, .. } = self.solid;
+        let Solid { lathe, colour, shininess, .. } = *self.solid;
         let normal = unit(lathe.gradient(ray.at(hit.t), hit));
         let side = if hit.enters { 1.0 } else { -1.0 };
         let nl = side * normal.dot(self.light.towards);

@@ -77,7 +77,7 @@ const ROWS: [Row; 3] = [
         with: "oled",
         without: "footprint-card",
         targets: &[M3, M4F],
-        flash: 12 * 1024,
+        flash: 14 * 1024,
         ram: 0,
     },
 ];

@@ -19,9 +19,9 @@
 //! The root returned is exact for a cubic whose coefficients differ from the given ones by at most
 //! [`BACKWARD_ERROR`] units of 2⁻²⁴ each, relative, and so is the claim that there is none before it. Two
 //! roots closer than that can tell apart may be reported or missed together. Leading coefficients may vanish,
-//! and the scale of the coefficients does not matter; what does not count is a coefficient below 2⁻¹²⁶
-//! of the largest, or a term `cⱼ·uʲ` below that: on intervals like ±10³⁰ either may be what decides.
-//! Coefficients that are not finite have no roots.
+//! and the scale of the coefficients does not matter; what does not count is a coefficient below 2⁻¹²⁶ of the
+//! largest, or a term `cⱼ·uʲ` below that: on intervals like ±10³⁰ either may be what decides. Coefficients
+//! that are not finite have no roots.
 
 mod cardano;
 mod pieces;

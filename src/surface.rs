@@ -54,8 +54,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         Surface { point, normal }
     }
 
-    /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the wall, in the
-    /// lathe's frame; along the axis where that is nothing.
+    /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the
+    /// wall, in the lathe's frame; along the axis where that is nothing.
     pub(crate) fn gradient(&self, point: F32x3, hit: &Hit) -> F32x3 {
         let (scale, squash) = self.proportions();
         let pole = |z| vector([0.0, 0.0, z]);
@@ -72,7 +72,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
 /// The unit vector along `v`, which is not zero.
 ///
-/// Lengths in a lathe's frame are near one, but a very flat or very tall profile's slopes are not: those are brought there first.
+/// Lengths in a lathe's frame are near one, but a very flat or very tall profile's slopes are not: those are
+/// brought there first.
 #[inline(always)]
 pub(crate) fn unit(v: F32x3) -> F32x3 {
     let size = largest(v);

@@ -84,8 +84,9 @@ impl<'a> Chord<'a> {
 
     /// Whether g is certainly below a bound.
     ///
-    /// Since |s| ≤ l on the chord, `g ≤ c0 + c1·s + (c2 + |c3|·l)·s²`: a parabola, and where that opens downwards its vertex is at `c0 − c1²/4(c2 + |c3|·l)`. That is
-    /// close, for c3 is small. Otherwise g lies below its Bernstein ordinates.
+    /// Since |s| ≤ l on the chord, `g ≤ c0 + c1·s + (c2 + |c3|·l)·s²`: a parabola, and where that opens
+    /// downwards its vertex is at `c0 − c1²/4(c2 + |c3|·l)`. That is close, for c3 is small. Otherwise g lies
+    /// below its Bernstein ordinates.
     #[inline(always)]
     pub fn is_below(&self, bound: f32) -> bool {
         let [c0, c1, c2, c3] = self.g.c;
@@ -106,7 +107,8 @@ impl<'a> Chord<'a> {
         [g0, g0 + third * self.g.slope(self.from), g3 - third * self.g.slope(self.to), g3]
     }
 
-    /// The crossings along the chord, in order, until told to stop; then whether the ray is inside at its end. A cubic has at most three.
+    /// The crossings along the chord, in order, until told to stop; then whether the ray is inside at its
+    /// end. A cubic has at most three.
     #[inline(always)]
     pub fn each_hit<S: Solver, B>(
         &self,

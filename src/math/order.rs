@@ -1,4 +1,5 @@
-//! The greater and the lesser of two numbers, in line: `f32::max` and `f32::min` are calls on Cortex-M, in the innermost loops.
+//! The greater and the lesser of two numbers, in line: `f32::max` and `f32::min` are calls on Cortex-M, in
+//! the innermost loops.
 
 /// The greater, or the first if the second is not a number.
 #[inline(always)]

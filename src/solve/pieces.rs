@@ -17,7 +17,8 @@ pub struct Turning {
     pub height: f32,
 }
 
-/// The monotone piece of a cubic that holds its first crossing. The cubic falls from `lo`, where it is positive, to `hi`, where it is negative.
+/// The monotone piece of a cubic that holds its first crossing. The cubic falls from `lo`, where it is
+/// positive, to `hi`, where it is negative.
 ///
 /// ```
 /// use embedded_lathe::{Cubic, math::Native, solve::{Piece, Solver}};
@@ -46,18 +47,20 @@ pub struct Piece {
     pub maximum: Turning,
     /// The minimum that it falls to, which may lie beyond the interval.
     pub minimum: Turning,
-    /// Half the second derivative at the minimum, and its negative at the maximum: with d the distance from one of the two,
-    /// `|g| = |height − bend·d² ± c3·d³|`. Zero if there is neither.
+    /// Half the second derivative at the minimum, and its negative at the maximum: with d the distance from
+    /// one of the two, `|g| = |height − bend·d² ± c3·d³|`. Zero if there is neither.
     pub bend: f32,
 }
 
-/// The cubic, turned round so that it starts positive, and the piece on which it first falls below zero, if there is one in [lo, hi].
+/// The cubic, turned round so that it starts positive, and the piece on which it first falls below zero, if
+/// there is one in [lo, hi].
 ///
-/// `positive` says how it starts, whatever rounding makes of its value there. From above zero it can come below only by falling, and then the minimum, or the
-/// interval's end, is below: two signs tell.
+/// `positive` says how it starts, whatever rounding makes of its value there. From above zero it can come
+/// below only by falling, and then the minimum, or the interval's end, is below: two signs tell.
 ///
-/// The turning points are `(−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`: each from that form of the quadratic formula that adds
-/// two numbers of one sign, so that the one which stays finite as c3 → 0 is found without dividing by it.
+/// The turning points are `(−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`: each from that form of the quadratic
+/// formula that adds two numbers of one sign, so that the one which stays finite as c3 → 0 is found without
+/// dividing by it.
 #[inline(always)]
 pub(crate) fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<(Cubic, Piece)> {
     let sign = if positive { 1.0 } else { -1.0 };

@@ -8,10 +8,11 @@ const MOST_STEPS: u32 = 160;
 
 /// The root of `g` in a monotone piece, by Newton's method from `seed`.
 ///
-/// After a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`. Below an eighth of a rounding of c0, which is
-/// no more than half of `Σ |cⱼ·uʲ|` at a root, there is nothing left to gain. Two steps are taken on trust. If they stay in the piece, the
-/// second is short beside what it starts from and beside the way to the turning point, and what remains is nothing,
-/// they have found its root, for it has only one. If not, [`guarded`] does.
+/// After a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`. Below an eighth of a
+/// rounding of c0, which is no more than half of `Σ |cⱼ·uʲ|` at a root, there is nothing left to gain. Two
+/// steps are taken on trust. If they stay in the piece, the second is short beside what it starts from and
+/// beside the way to the turning point, and what remains is nothing, they have found its root, for it has
+/// only one. If not, [`guarded`] does.
 #[inline(always)]
 pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
     let [c0, _, c2, c3] = g.c;
@@ -27,12 +28,13 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
 
 const UNIT: f32 = 1.0 / 16_777_216.0;
 
-/// The same, held in the bracket that the signs of `g` draw ever closer. A step that leaves the bracket is replaced by its middle.
+/// The same, held in the bracket that the signs of `g` draw ever closer. A step that leaves the bracket is
+/// replaced by its middle.
 ///
-/// Two ways out, both bounds on the value: one that is within its own rounding has no sign to go by, only a last step to
-/// offer; and one that remains after a step may be below a rounding. Beside a turning point the slope is mostly rounding: no step
-/// is longer than half the way to it, and every fourth of those is replaced by the bracket's middle, for from
-/// a bad seed they could go on for long.
+/// Two ways out, both bounds on the value: one that is within its own rounding has no sign to go by, only a
+/// last step to offer; and one that remains after a step may be below a rounding. Beside a turning point the
+/// slope is mostly rounding: no step is longer than half the way to it, and every fourth of those is replaced
+/// by the bracket's middle, for from a bad seed they could go on for long.
 #[cold]
 #[inline(never)]
 fn guarded(g: Cubic, piece: Piece, seed: f32) -> f32 {

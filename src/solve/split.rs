@@ -5,8 +5,8 @@ use core::marker::PhantomData;
 
 /// Split at the turning points, then a bent parabola. The crate's default.
 ///
-/// At a distance d from the turning point, `|g| = height − bend·d² + c3·d³`. Without the last term the root is
-/// at `e = √(height/bend)`; with it at `e·Φ(b)`, `Φ²·(1 − b·Φ) = 1`, `b = c3·e/bend`. Towards the other
+/// At a distance d from the turning point, `|g| = height − bend·d² + c3·d³`. Without the last term the root
+/// is at `e = √(height/bend)`; with it at `e·Φ(b)`, `Φ²·(1 − b·Φ) = 1`, `b = c3·e/bend`. Towards the other
 /// turning point b runs up to `√6/9` (at the point of inflection, where the other takes over), away from it
 /// down without bound. A polynomial of four terms gives Φ within 1.1 % over [−1, √6/9]; below, the cubic term
 /// rules and the seed comes from the point of inflection.

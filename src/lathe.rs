@@ -1,10 +1,10 @@
 //! A profile made ready to meet rays.
 //!
 //! ```text
-//! Ray ── Path ──────── Chord ─────────────── Cubic ──── crossings ── Hit
-//!        the ray in    what of it lies in    g along    where g      polished on
-//!        the lathe's   one segment's slab    the chord  changes      the segment
-//!        own frame     and cylinder                     sign         itself
+//! Ray ── Path ──────── Chord ─────────────── Cubic ──────── crossings ── Hit
+//!        the ray in    what of it lies in    g about the    where g
+//!        the lathe's   one segment's slab    chord's        changes
+//!        own frame     and cylinder          narrowest      sign
 //! ```
 //!
 //! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so

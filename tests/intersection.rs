@@ -2,13 +2,14 @@
 //!
 //! The unit of error is 2⁻²⁴·(size of the solid + distance of the ray's origin from its middle).
 
+#[macro_use]
+mod backends;
 mod cases;
 mod lathes;
 mod oracle;
 
 use cases::{Case, Family, cases, outlines};
-use embedded_lathe::math::{Libm, Micromath, Native, Std};
-use embedded_lathe::solve::{Cardano, Solver, Split};
+use embedded_lathe::solve::Solver;
 use embedded_lathe::{Hit, Lathe, Part, Ray, Segment, Surface};
 use lathes::{CAPACITY, lathe};
 use oracle::{Band, Shape};
@@ -133,25 +134,7 @@ fn point_error(shot: &Shot, hit: &Hit, band: &Band) -> f64 {
     (f64::from(hit.t) - at.t).abs() * length * at.cos / unit
 }
 
-macro_rules! over_every_backend {
-    ($($name:ident: $solver:ty),* $(,)?) => {$(
-        #[test]
-        fn $name() {
-            agrees_with_the_oracle::<$solver>();
-        }
-    )*};
-}
-
-over_every_backend! {
-    split_over_native: Split<Native>,
-    split_over_std: Split<Std>,
-    split_over_libm: Split<Libm>,
-    split_over_micromath: Split<Micromath>,
-    cardano_over_native: Cardano<Native>,
-    cardano_over_std: Cardano<Std>,
-    cardano_over_libm: Cardano<Libm>,
-    cardano_over_micromath: Cardano<Micromath>,
-}
+over_every_backend!(agrees_with_the_oracle);
 
 /// The unit normal, at the kernel's own point and u, from the definition in f64.
 #[test]

@@ -1,12 +1,13 @@
 //! Rows of pixels, whose rays are reckoned together, against rays by themselves, over every backend.
 
+#[macro_use]
+mod backends;
 #[path = "../examples/scenes/mod.rs"]
 #[allow(dead_code)]
 mod scenes;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_lathe::math::{Libm, Micromath, Native, Std};
-use embedded_lathe::solve::{Cardano, Solver, Split};
+use embedded_lathe::solve::Solver;
 use embedded_lathe::{
     Background, Camera, End, Lathe, Light, Paint, Pose, Profile, Ray, Rgb, Rotation, Scene, Segment, Solid,
 };
@@ -118,17 +119,7 @@ fn shows_the_vase<S: Solver>() {
     }
 }
 
-#[test]
-fn every_backend_shows_the_same_vase() {
-    shows_the_vase::<Split<Native>>();
-    shows_the_vase::<Split<Std>>();
-    shows_the_vase::<Split<Libm>>();
-    shows_the_vase::<Split<Micromath>>();
-    shows_the_vase::<Cardano<Native>>();
-    shows_the_vase::<Cardano<Std>>();
-    shows_the_vase::<Cardano<Libm>>();
-    shows_the_vase::<Cardano<Micromath>>();
-}
+over_every_backend!(shows_the_vase);
 
 fn even(rng: &mut ChaCha8Rng, from: f32, to: f32) -> f32 {
     rng.random_range(from..to)

@@ -4,9 +4,12 @@
 //! makes it right: for a root u it is `|g(u)| / Σ |cⱼ·uʲ|`; for a claim that nothing comes before, the same
 //! at the deepest point where g has the other sign. Evaluated in f64, whose own rounding is 2⁻²⁹ of the unit.
 
+#[macro_use]
+mod backends;
+
 use embedded_lathe::Cubic;
 use embedded_lathe::math::{Libm, Math, Micromath, Native, Std};
-use embedded_lathe::solve::{BACKWARD_ERROR, Cardano, Solver, Split};
+use embedded_lathe::solve::{BACKWARD_ERROR, Solver};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -188,25 +191,7 @@ fn is_sound<S: Solver>() {
     assert!(worst > f64::from(BACKWARD_ERROR) / 4.0, "the bound is slack: {worst}");
 }
 
-macro_rules! over_every_backend {
-    ($($name:ident: $solver:ty),* $(,)?) => {$(
-        #[test]
-        fn $name() {
-            is_sound::<$solver>();
-        }
-    )*};
-}
-
-over_every_backend! {
-    split_over_native: Split<Native>,
-    split_over_std: Split<Std>,
-    split_over_libm: Split<Libm>,
-    split_over_micromath: Split<Micromath>,
-    cardano_over_native: Cardano<Native>,
-    cardano_over_std: Cardano<Std>,
-    cardano_over_libm: Cardano<Libm>,
-    cardano_over_micromath: Cardano<Micromath>,
-}
+over_every_backend!(is_sound);
 
 /// Every number of roots is found: three where there are three.
 #[test]

@@ -77,26 +77,20 @@ impl<'a> Chord<'a> {
     }
 
     /// Whether g certainly keeps the sign that it starts with.
+    ///
+    /// From outside: since |s| ≤ l on the chord, `g ≤ c0 + c1·s + (c2 + |c3|·l)·s²`, a parabola, and where that opens
+    /// downwards its vertex is at `c0 − c1²/4(c2 + |c3|·l)`. That is close, for c3 is small. Otherwise, and from
+    /// inside, the Bernstein ordinates tell.
     #[inline(always)]
     pub fn is_clear(&self) -> bool {
-        if self.inside { self.ordinates().iter().all(|&ordinate| ordinate > 0.0) } else { self.is_below(0.0) }
-    }
-
-    /// Whether g is certainly below a bound.
-    ///
-    /// Since |s| ≤ l on the chord, `g ≤ c0 + c1·s + (c2 + |c3|·l)·s²`: a parabola, and where that opens
-    /// downwards its vertex is at `c0 − c1²/4(c2 + |c3|·l)`. That is close, for c3 is small. Otherwise g lies
-    /// below its Bernstein ordinates.
-    #[inline(always)]
-    pub fn is_below(&self, bound: f32) -> bool {
+        if self.inside {
+            return self.ordinates().iter().all(|&ordinate| ordinate > 0.0);
+        }
         let [c0, c1, c2, c3] = self.g.c;
         let l = if self.to > -self.from { self.to } else { -self.from };
         let c2 = c2 + c3.abs() * l;
-        let room = bound - c0;
-        if c2 < 0.0 && room > 0.0 && c1 * c1 < -4.0 * c2 * room {
-            return true;
-        }
-        self.ordinates().iter().all(|&ordinate| ordinate < bound)
+        (c2 < 0.0 && c0 < 0.0 && c1 * c1 < 4.0 * c2 * c0)
+            || self.ordinates().iter().all(|&ordinate| ordinate < 0.0)
     }
 
     /// The Bernstein ordinates of g over the chord: g lies between the least and the largest.

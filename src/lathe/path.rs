@@ -5,7 +5,6 @@ use crate::math::Math;
 use crate::math::order::{greater, lesser};
 use crate::ray::Ray;
 use crate::solve::Solver;
-use crate::vector::{F32x3, vector};
 use core::ops::ControlFlow;
 
 /// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what
@@ -39,16 +38,8 @@ impl Path {
         let (o, d) = (ray.origin, ray.direction);
         let (x, y, z) = (o.x * frame.scale, o.y * frame.scale, (o.z - frame.middle) * frame.scale);
         let shift = -(x * d.x + y * d.y + z * d.z) / (d.x * d.x + d.y * d.y + d.z * d.z);
-        let place = vector([(x + shift * d.x) * frame.root_squash, y + shift * d.y, z + shift * d.z]);
-        let direction = vector([d.x * frame.root_squash, d.y, d.z]);
-        Self::through(place, direction, shift, 1.0 / (frame.scale * ray.unit))
-    }
-
-    /// The path through a point, where t = 0, that was moved there along the ray by so many t.
-    #[inline(always)]
-    pub fn through(place: F32x3, direction: F32x3, shift: f32, per_unit: f32) -> Self {
-        let F32x3 { x, y, z } = place;
-        let F32x3 { x: dx, y: dy, z: dz } = direction;
+        let (x, y, z) = ((x + shift * d.x) * frame.root_squash, y + shift * d.y, z + shift * d.z);
+        let (dx, dy, dz) = (d.x * frame.root_squash, d.y, d.z);
         let q = dx * dx + dy * dy;
         // Parallel to the axis, it is as near everywhere.
         let per_q = if q > f32::MIN_POSITIVE { 1.0 / q } else { f32::INFINITY };
@@ -68,7 +59,7 @@ impl Path {
             nearest,
             square: ax * ax + ay * ay,
             shift,
-            per_unit,
+            per_unit: 1.0 / (frame.scale * ray.unit),
         }
     }
 

@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | [`Native`] | correctly rounded: the hardware's root where there is one | as [`Libm`] |
 //! | [`Libm`] | correctly rounded, integer arithmetic | within a unit in the last place |
-//! | [`Micromath`] | within 2 units, from micromath's seed | rough: 3 %, 0.03 rad, 0.002 |
+//! | [`Micromath`] | within 2 units, from micromath's seed | rough: within the bounds of [`Math`] |
 //! | `Std` (feature `std`) | correctly rounded | the platform's |
 //!
 //! A root rounds the same way wherever it is correctly rounded, so [`Native`], [`Libm`] and `Std` give the

@@ -2,16 +2,16 @@
 //!
 //! Every method here answers in the same three steps, and only the second differs:
 //!
-//! 1. **Split.** The interval is cut at the cubic's turning points into at most three monotone [`Piece`]s.
-//!    The signs of the cubic at the cuts say which pieces hold a root: exactly one each. ([`Piece`], in
-//!    `pieces.rs`.)
+//! 1. **Split.** The cubic is turned round to start positive. Its turning points cut the interval into monotone
+//!    pieces, and two signs say which [`Piece`] holds the first root: exactly one. (`pieces.rs`.)
 //! 2. **Seed.** A closed form says about where: that is the [`Solver`].
-//! 3. **Refine.** Newton's method, held between the ends of the piece, brings the seed to the accuracy of the
-//!    coefficients. A poor seed costs time, never the answer. (`refine.rs`.)
+//! 3. **Refine.** Two Newton steps bring the seed to the accuracy of the coefficients, or, where they cannot be
+//!    certified, as many as it takes between the ends of the piece. A poor seed costs time, never the answer.
+//!    (`refine.rs`.)
 //!
 //! | solver | seed | cost |
 //! |---|---|---|
-//! | [`Split`] | the parabola at the nearer turning point, bent by the cubic term | one root, one division, a short polynomial |
+//! | [`Split`] | the parabola at the nearer turning point, bent by the cubic term | one root, two divisions, a short polynomial |
 //! | [`Cardano`] | Cardano's formula, trigonometric or with a cube root | an arc cosine and a cosine, or a cube root |
 //!
 //! # Promise

@@ -4,12 +4,13 @@
 //! Ray ── Path ──────── Chord ─────────────── Cubic ──────── crossings ── Hit
 //!        the ray in    what of it lies in    g about the    where g
 //!        the lathe's   one segment's slab    chord's        changes
-//!        own frame     and cylinder          narrowest      sign
+//!        own frame                           narrowest      sign
 //! ```
 //!
 //! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so
-//! along a chord g is a cubic, and because the chord is cut to the segment's own slab and cylinder before the
-//! cubic is formed, every number in it has the size of the segment, whatever the ray's origin or slope.
+//! along a chord g is a cubic, and because it is formed about the chord's point nearest to the axis, every
+//! number in it has the size of the segment, whatever the ray's origin or slope. A chord whose nearest point
+//! lies outside the segment's cylinder is passed over.
 //!
 //! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
@@ -24,10 +25,9 @@ use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
 use crate::ray::Ray;
 use crate::solve::{DefaultSolver, Solver};
-use chord::Chord;
 use core::ops::ControlFlow;
 use heapless::Vec;
-use path::{Meeting, walk};
+use path::walk;
 use segment::{power_of_two_for, widened};
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
@@ -140,28 +140,12 @@ impl<const N: usize> Lathe<[Segment; N]> {
             assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
         }
         let mut hits = Vec::new();
-        let _ = walk::<S, ()>(self.view(), ray, t_min, |meeting| match meeting {
-            Meeting::Cap(hit) => {
-                let _ = hits.push(hit);
-                ControlFlow::Continue(hit.enters)
-            }
-            Meeting::Chord(chord) => chord.each_hit::<S, ()>(|hit| {
-                if is_beyond(hit.t, t_min) {
-                    let _ = hits.push(hit);
-                }
-                ControlFlow::Continue(())
-            }),
+        let _: Option<()> = walk::<S, _, false>(self.view(), ray, t_min, |hit| {
+            let _ = hits.push(hit);
+            ControlFlow::Continue(())
         });
         hits
     }
-}
-
-/// The first crossing of a chord beyond `t_min`, or whether the ray is inside at the chord's end.
-#[inline(always)]
-fn first<S: Solver>(chord: &Chord, t_min: f32) -> ControlFlow<Hit, bool> {
-    chord.each_hit::<S, Hit>(|hit| {
-        if is_beyond(hit.t, t_min) { ControlFlow::Break(hit) } else { ControlFlow::Continue(()) }
-    })
 }
 
 /// A distance too large for a number is none.
@@ -193,10 +177,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
     /// [`Lathe::nearest`] with the solver S.
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        walk::<S, _>(self.view(), ray, t_min, |meeting| match meeting {
-            Meeting::Cap(hit) => ControlFlow::Break(hit),
-            Meeting::Chord(chord) => first::<S>(&chord, t_min),
-        })
+        walk::<S, _, false>(self.view(), ray, t_min, ControlFlow::Break)
     }
 
     /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends
@@ -207,12 +188,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
     /// [`Lathe::is_hit`] with the solver S.
     pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
-        walk::<S, _>(self.view(), ray, t_min, |meeting| match meeting {
-            Meeting::Cap(_) => ControlFlow::Break(()),
-            Meeting::Chord(chord) if chord.is_beyond() && chord.crosses::<S>() => ControlFlow::Break(()),
-            Meeting::Chord(chord) => first::<S>(&chord, t_min).map_break(|_| ()),
-        })
-        .is_some()
+        walk::<S, _, true>(self.view(), ray, t_min, ControlFlow::Break).is_some()
     }
 
     /// The frame's scale, and the squash.

@@ -1,5 +1,5 @@
 use super::chord::Chord;
-use super::{Frame, View, is_beyond};
+use super::{Frame, Segment, View, is_beyond};
 use crate::hit::Hit;
 use crate::math::Math;
 use crate::math::order::{greater, lesser};
@@ -9,27 +9,23 @@ use core::ops::ControlFlow;
 
 /// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what
 /// follows has the size of the solid however far away the ray comes from. x is scaled by √k: there every
-/// lathe is round.
+/// lathe is round, and of x and y no more matters than the square of the distance from the axis,
+/// `square + q·(t − nearest)²`.
 pub(super) struct Path {
-    pub x: f32,
-    pub y: f32,
     pub z: f32,
-    pub dx: f32,
-    pub dy: f32,
     pub dz: f32,
     /// Infinite for a horizontal path.
     per_dz: f32,
     /// dx² + dy².
     pub q: f32,
-    per_q: f32,
     /// The t at which the path is nearest to the axis, and the square of the distance there.
     pub nearest: f32,
-    square: f32,
+    pub square: f32,
     /// Where the path's origin lies on the ray, in the path's t.
     shift: f32,
-    /// A distance along the ray, in units of its own direction, is a path's t (from the ray's origin) times
+    /// A path's t (from the ray's origin) is a distance along the ray, in units of its own direction, times
     /// this.
-    per_unit: f32,
+    unit: f32,
 }
 
 impl Path {
@@ -39,38 +35,35 @@ impl Path {
         let (x, y, z) = (o.x * frame.scale, o.y * frame.scale, (o.z - frame.middle) * frame.scale);
         let shift = -(x * d.x + y * d.y + z * d.z) / (d.x * d.x + d.y * d.y + d.z * d.z);
         let (x, y, z) = ((x + shift * d.x) * frame.root_squash, y + shift * d.y, z + shift * d.z);
-        let (dx, dy, dz) = (d.x * frame.root_squash, d.y, d.z);
+        let (dx, dy) = (d.x * frame.root_squash, d.y);
         let q = dx * dx + dy * dy;
         // Parallel to the axis, it is as near everywhere.
-        let per_q = if q > f32::MIN_POSITIVE { 1.0 / q } else { f32::INFINITY };
-        let nearest = if per_q < f32::INFINITY { -(x * dx + y * dy) * per_q } else { 0.0 };
+        let nearest = if q > f32::MIN_POSITIVE { -(x * dx + y * dy) / q } else { 0.0 };
         let (ax, ay) = (x + nearest * dx, y + nearest * dy);
         Self {
-            x,
-            y,
             z,
-            dx,
-            dy,
-            dz,
+            dz: d.z,
             // −0 + 0 = +0: a horizontal path counts as rising.
-            per_dz: 1.0 / (dz + 0.0),
+            per_dz: 1.0 / (d.z + 0.0),
             q,
-            per_q,
             nearest,
             square: ax * ax + ay * ay,
             shift,
-            per_unit: 1.0 / (frame.scale * ray.unit),
+            unit: frame.scale * ray.unit,
         }
     }
 
-    /// From where to where the path is in a cylinder about the axis, of the radius whose square is given.
+    /// The square of the distance from the axis, and half its derivative.
     #[inline(always)]
-    fn within<M: Math>(&self, reach: f32) -> Option<(f32, f32)> {
-        if self.square > reach {
-            return None;
-        }
-        let half = M::sqrt((reach - self.square) * self.per_q);
-        Some((self.nearest - half, self.nearest + half))
+    pub fn around(&self, t: f32) -> (f32, f32) {
+        let away = t - self.nearest;
+        let pull = self.q * away;
+        (self.square + pull * away, pull)
+    }
+
+    #[inline(always)]
+    pub fn height(&self, t: f32) -> f32 {
+        self.z + t * self.dz
     }
 
     /// Where the path passes a height.
@@ -82,96 +75,110 @@ impl Path {
     /// The distance along the ray, in units of its own direction, at the path's t.
     #[inline(always)]
     pub fn distance(&self, t: f32) -> f32 {
-        (t + self.shift) * self.per_unit
+        (t + self.shift) / self.unit
     }
 }
 
-/// What a walk along a ray comes upon.
-pub(super) enum Meeting<'a> {
-    /// The ray passes through a cap.
-    Cap(Hit),
-    /// g may change sign along the chord.
-    Chord(Chord<'a>),
-}
-
-/// Follows a ray through the slabs of a lathe's segments and reports what it comes upon beyond `t_min`, in
-/// order, until told to stop. The answer to a meeting is whether the ray is inside after it.
+/// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
+/// until told to stop. With `SIGNS` one that must be there is reported unfound, anywhere on its chord.
 ///
 /// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one)
 /// has an infinite t, or NaN, which `lesser` and `greater` pass over: neither ray is a special case.
 #[inline(always)]
-pub(super) fn walk<S: Solver, B>(
+pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     lathe: View<'_>,
     ray: &Ray,
     t_min: f32,
-    mut meet: impl FnMut(Meeting) -> ControlFlow<B, bool>,
+    mut meet: impl FnMut(Hit) -> ControlFlow<B>,
 ) -> Option<B> {
     let View { frame, segments } = lathe;
     let path = &Path::new(frame, ray);
-    let first = t_min * (frame.scale * ray.unit) - path.shift;
-
-    let (near, far) = path.within::<S::Math>(frame.reach)?;
-    let slab = Slab::new(path, frame);
-    let enter = greater(greater(first, near), slab.near);
-    let leave = lesser(far, slab.far);
+    if path.square > frame.reach {
+        return None;
+    }
+    let half = S::Math::sqrt((frame.reach - path.square) / path.q);
+    let up = path.per_dz > 0.0;
+    let (low, high) = (path.plane(frame.low), path.plane(frame.high));
+    let (bottom, top) = if up { (low, high) } else { (high, low) };
+    let first = t_min * path.unit - path.shift;
+    let inner = greater(first, bottom);
+    let enter = greater(inner, path.nearest - half);
+    let leave = lesser(path.nearest + half, top);
     // Not finite: the ray lies along an endless sheet, and g is the same all along it.
     if !(enter < leave && (leave - enter).is_finite()) {
         return None;
     }
 
+    let step = if up { 1 } else { usize::MAX };
+    let mut index = entered(path, segments, enter, step);
+
     // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here,
     // has g to tell.
-    let mut inside = (enter > first && enter > slab.near).then_some(false);
+    let g = |segment: &Segment| segment.place(path.height(enter)).f - path.around(enter).0;
+    let mut inside = !(enter > inner) && segments.get(index).is_some_and(|segment| g(segment) > 0.0);
+    if inside
+        && bottom > first
+        && let Some(hit) = cap(frame, path, enter, t_min, up, true)
+        && let ControlFlow::Break(found) = meet(hit)
+    {
+        return Some(found);
+    }
     let mut at = enter;
-    for step in 0..segments.len() {
-        let index = if slab.up { step } else { segments.len() - 1 - step };
-        let Some(segment) = segments.get(index) else {
-            break;
-        };
-        let exit = path.plane(if slab.up { segment.high } else { segment.low });
-        if exit <= at {
-            continue;
-        }
-        let end = lesser(leave, exit);
-        let mut after = false;
-        if let Some((near, far)) = path.within::<S::Math>(segment.reach) {
-            let (from, to) = (greater(at, near), lesser(end, far));
-            if from < to {
-                let known = if from > at { Some(false) } else { inside };
-                let chord = Chord::new(path, segment, index, [from, to], known, from > first);
-                after = chord.inside;
-                if known.is_none()
-                    && after
-                    && enter > first
-                    && let Some(hit) = cap(frame, path, enter, t_min, slab.up, true)
-                    && let ControlFlow::Break(found) = meet(Meeting::Cap(hit))
-                {
-                    return Some(found);
+    while let Some(segment) = segments.get(index) {
+        let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
+        match Chord::new(path, segment, index, [at, end]) {
+            None => inside = false,
+            Some(chord) if !inside && chord.is_clear() => {}
+            Some(chord) => {
+                if SIGNS && at > first && chord.crosses::<S>(inside) && path.distance(end) < f32::INFINITY {
+                    return meet(chord.hit(0.0, !inside)).break_value();
                 }
-                if !chord.is_clear() {
-                    match meet(Meeting::Chord(chord)) {
-                        ControlFlow::Break(found) => return Some(found),
-                        ControlFlow::Continue(inside) => after = inside,
+                let mut from = chord.from;
+                for _ in 0..3 {
+                    let Some(s) = chord.crossing::<S>(from, inside) else { break };
+                    inside = !inside;
+                    let hit = chord.hit(s, inside);
+                    if is_beyond(hit.t, t_min)
+                        && let ControlFlow::Break(found) = meet(hit)
+                    {
+                        return Some(found);
                     }
+                    from = s;
                 }
-                // Beyond the segment's cylinder there is only outside.
-                after &= !(to < end);
             }
         }
-        inside = Some(after);
         at = end;
         if !(end < leave) {
             break;
         }
+        index = index.wrapping_add(step);
     }
-    if inside == Some(true)
-        && leave == slab.far
-        && let Some(hit) = cap(frame, path, leave, t_min, !slab.up, false)
-        && let ControlFlow::Break(found) = meet(Meeting::Cap(hit))
+    if inside
+        && leave == top
+        && let Some(hit) = cap(frame, path, leave, t_min, !up, false)
+        && let ControlFlow::Break(found) = meet(hit)
     {
         return Some(found);
     }
     None
+}
+
+/// The number of the segment in whose slab the path is at t, by steps of half of what remains. In the path's
+/// order numbers differ by `step`, 1 or −1.
+#[inline(always)]
+fn entered(path: &Path, segments: &[Segment], t: f32, step: usize) -> usize {
+    let mut index = if step == 1 { 0 } else { segments.len().wrapping_sub(1) };
+    let mut stride = segments.len();
+    while stride > 1 {
+        stride -= stride / 2;
+        let ahead = index.wrapping_add(step.wrapping_mul(stride));
+        if let Some(segment) = segments.get(ahead)
+            && path.plane(if step == 1 { segment.low } else { segment.high }) <= t
+        {
+            index = ahead;
+        }
+    }
+    index
 }
 
 /// The hit in the plane of an end, if part of the surface is there, beyond `t_min`.
@@ -180,22 +187,4 @@ fn cap(frame: &Frame, path: &Path, t: f32, t_min: f32, low: bool, enters: bool) 
     let (segment, u, part) = if low { (0, 0.0, frame.base) } else { (frame.len - 1, 1.0, frame.top) };
     let hit = Hit { t: path.distance(t), segment, u, enters, part: part? };
     is_beyond(hit.t, t_min).then_some(hit)
-}
-
-/// From where to where a path is between the ends of a lathe.
-struct Slab {
-    near: f32,
-    far: f32,
-    /// Whether the path does not descend.
-    up: bool,
-}
-
-impl Slab {
-    #[inline(always)]
-    fn new(path: &Path, frame: &Frame) -> Self {
-        let up = path.per_dz > 0.0;
-        let (low, high) = (path.plane(frame.low), path.plane(frame.high));
-        let (near, far) = if up { (low, high) } else { (high, low) };
-        Self { near, far, up }
-    }
 }

@@ -74,7 +74,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 ///
 /// Lengths in a lathe's frame are near one, but a very flat or very tall profile's slopes are not: those are
 /// brought there first.
-#[inline(always)]
+#[inline]
 pub(crate) fn unit(v: F32x3) -> F32x3 {
     let size = largest(v);
     let v = if size > 1e-12 && size < 1e12 { v } else { v * (1.0 / size) };

@@ -1,4 +1,5 @@
-//! Flash and RAM that the library adds to firmware, as a table, and within bounds.
+//! Flash and RAM that the library adds to firmware in Cargo's profile `small`, as a table, and within bounds. The
+//! solids' segments are in what is subtracted, too: they are the user's.
 //!
 //! ```text
 //! cargo test --test footprint -- --ignored --nocapture       needs the three targets
@@ -61,7 +62,7 @@ const ROWS: [Row; 3] = [
         with: "footprint-ray",
         without: "footprint-nothing",
         targets: &[M0, M3, M4F],
-        flash: 13 * 512,
+        flash: 9 * 512,
         ram: 0,
     },
     Row {
@@ -69,7 +70,7 @@ const ROWS: [Row; 3] = [
         with: "footprint-renderer",
         without: "footprint-nothing",
         targets: &[M0, M3, M4F],
-        flash: 12 * 1024,
+        flash: 15 * 512,
         ram: 240 * 2,
     },
     Row {
@@ -77,7 +78,7 @@ const ROWS: [Row; 3] = [
         with: "oled",
         without: "footprint-card",
         targets: &[M3, M4F],
-        flash: 14 * 1024,
+        flash: 9 * 1024,
         ram: 0,
     },
 ];
@@ -90,8 +91,9 @@ fn footprint_is_small() {
         let cells: Vec<_> = sizes.iter().map(|s| format!("{} / {}", s.flash, s.ram)).collect();
         println!("| {title} | {}{} |", "— | ".repeat(3 - cells.len()), cells.join(" | "));
     };
-    let of =
-        |target: &str, example: &str, options: &[&str]| footprint(&firmware::build(target, example, options));
+    let of = |target: &str, example: &str, options: &[&str]| {
+        footprint(&firmware::build(target, example, firmware::SMALL, options))
+    };
 
     let mut wrong = Vec::new();
     for Row { title, with, without, targets, flash, ram } in ROWS {

@@ -118,7 +118,7 @@ fn difference(a: &Pixels, b: &Pixels) -> Option<(usize, usize)> {
 }
 
 fn compare(target: &str) {
-    let elf = firmware::build(target, "oled", &[]);
+    let elf = firmware::build(target, "oled", firmware::SMALL, &[]);
     for scene in show::NAMES {
         let mut earlier: Option<Pixels> = None;
         for n in FRAMES {
@@ -162,7 +162,7 @@ fn one_differing_pixel_is_found() {
 #[test]
 #[ignore = "writes docs/panel.png"]
 fn write() {
-    let elf = firmware::build(firmware::M3, "oled", &[]);
+    let elf = firmware::build(firmware::M3, "oled", firmware::SMALL, &[]);
     let mut sheet = SimulatorDisplay::<Gray4>::new(Size::new(3 * 132 - 4, 2 * 68 - 4));
     sheet.clear(Gray4::WHITE).unwrap();
     for (row, scene) in ["vase", "pawn"].iter().enumerate() {

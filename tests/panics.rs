@@ -8,7 +8,7 @@
 #[allow(dead_code)]
 mod firmware;
 
-use firmware::{M0, M3, M4F};
+use firmware::{M0, M3, M4F, RELEASE, SMALL};
 use object::{File, Object, ObjectSection, ObjectSymbol, SymbolKind};
 use std::{collections::BTreeSet, fs, path::Path};
 
@@ -64,8 +64,10 @@ fn firmware_cannot_panic() {
         (M3, "oled"),
         (M4F, "oled"),
     ] {
-        let found = panics(&firmware::build(target, example, &[]));
-        assert!(found.is_empty(), "{example} for {target} links {found:#?}");
+        for profile in [RELEASE, SMALL] {
+            let found = panics(&firmware::build(target, example, profile, &[]));
+            assert!(found.is_empty(), "{example} for {target}, {profile}, links {found:#?}");
+        }
     }
 }
 
@@ -73,7 +75,7 @@ fn firmware_cannot_panic() {
 #[test]
 #[ignore = "needs a target"]
 fn the_scan_finds_panics_and_their_callers() {
-    let found = panics(&firmware::build(M4F, "bench", &[]));
+    let found = panics(&firmware::build(M4F, "bench", RELEASE, &[]));
     for name in ["rust_begin_unwind", "9panicking9panic_fmt"] {
         let callers = found.iter().find(|(panic, _)| panic.contains(name)).map(|(_, callers)| callers.len());
         assert!(callers > Some(0), "{name}: {found:#?}");

@@ -1,4 +1,5 @@
-//! The OLED demo without its scenes, to subtract: what is left is the library's part. `tests/footprint.rs`.
+//! The OLED demo with its solids' segments but without its scenes, to subtract: what is left is the library's part,
+//! and what the demo says to it. `tests/footprint.rs`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -16,6 +17,10 @@ mod host;
 #[cfg(target_os = "none")]
 #[path = "../oled/panel.rs"]
 mod panel;
+#[cfg(target_os = "none")]
+#[allow(dead_code)]
+#[path = "../scenes/mod.rs"]
+mod scenes;
 
 #[cfg(target_os = "none")]
 mod show {
@@ -25,6 +30,7 @@ mod show {
     pub const FRAMES: u32 = 24;
 
     pub fn draw<D: DrawTarget<Color = Gray4>>(name: &[u8], n: u32, display: &mut D) -> Option<()> {
+        core::hint::black_box((&crate::scenes::VASE, &crate::scenes::PAWN, &crate::scenes::BALL));
         match name {
             b"card" => crate::card::card((n % FRAMES) as i32, display).ok(),
             _ => None,

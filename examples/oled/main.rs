@@ -1,9 +1,9 @@
 //! A turning vase on a Stellaris board's 128×64 panel of 16 greys.
 //!
 //! ```text
-//! cargo run --release --target thumbv7m-none-eabi    --example oled            Cortex-M3, soft float
-//! cargo run --release --target thumbv7em-none-eabihf --example oled            Cortex-M4F
-//! cargo run --release --target thumbv7m-none-eabi    --example oled vase 3     draw up to frame 3 and stay
+//! cargo run --profile small --target thumbv7m-none-eabi    --example oled            Cortex-M3, soft float
+//! cargo run --profile small --target thumbv7em-none-eabihf --example oled            Cortex-M4F
+//! cargo run --profile small --target thumbv7m-none-eabi    --example oled vase 3     draw up to frame 3 and stay
 //! ```
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
@@ -27,5 +27,5 @@ mod show;
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    println!("cargo run --release --target thumbv7m-none-eabi --example oled");
+    println!("cargo run --profile small --target thumbv7m-none-eabi --example oled");
 }

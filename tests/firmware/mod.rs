@@ -6,14 +6,18 @@ pub const M0: &str = "thumbv6m-none-eabi";
 pub const M3: &str = "thumbv7m-none-eabi";
 pub const M4F: &str = "thumbv7em-none-eabihf";
 
-/// Builds a firmware example as `cargo run --release` would, and says where it lies.
+/// For speed, and for flash.
+pub const RELEASE: &str = "release";
+pub const SMALL: &str = "small";
+
+/// Builds a firmware example as `cargo run --profile …` would, and says where it lies.
 ///
 /// `FIRMWARE_CARGO` names another cargo, for a machine whose own has no such targets.
-pub fn build(target: &str, example: &str, options: &[&str]) -> PathBuf {
+pub fn build(target: &str, example: &str, profile: &str, options: &[&str]) -> PathBuf {
     let cargo = env::var("FIRMWARE_CARGO").unwrap_or(env!("CARGO").into());
     let output = Command::new(cargo)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["build", "--quiet", "--release", "--target", target, "--example", example])
+        .args(["build", "--quiet", "--profile", profile, "--target", target, "--example", example])
         .args(["--message-format", "json-render-diagnostics"])
         .args(options)
         .output()

@@ -36,7 +36,7 @@ const RUN: usize = 16;
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Picture<'a> {
-    pub(crate) scene: Scene<'a>,
+    pub(crate) scene: &'a Scene<'a>,
     pub(crate) width: u32,
     pub(crate) height: u32,
 }
@@ -73,7 +73,7 @@ impl Picture<'_> {
 
     /// At most RUN pixels: the background, then every solid where it is nearer than what is there.
     fn run<C: Paint>(&self, x: u32, y: u32, run: &mut [C]) {
-        let Scene { solids, light, background, .. } = &self.scene;
+        let Scene { solids, light, background, .. } = self.scene;
         let behind = background.row(y, self.height);
         for (pixel, x) in run.iter_mut().zip(x..) {
             *pixel = C::paint(behind, x, y);

@@ -39,9 +39,9 @@ pub struct Scene<'a> {
     pub background: Background,
 }
 
-impl<'a> Scene<'a> {
+impl Scene<'_> {
     /// The scene as a picture of so many pixels, none of them reckoned yet.
-    pub const fn picture(&self, width: u32, height: u32) -> Picture<'a> {
-        Picture { scene: *self, width, height }
+    pub const fn picture(&self, width: u32, height: u32) -> Picture<'_> {
+        Picture { scene: self, width, height }
     }
 }

@@ -107,7 +107,8 @@ fn the_reference_scenes_are_those_of_single_rays() {
 /// Which pixels show the vase: the picture's, and those of single rays by the solver S.
 fn shows_the_vase<S: Solver>() {
     let side = 240;
-    let picture = Scene { background: BLACK, ..scenes::VASE_SCENE }.picture(side, side);
+    let scene = Scene { background: BLACK, ..scenes::VASE_SCENE };
+    let picture = scene.picture(side, side);
     let mut row = vec![Rgb565::BLACK; side as usize];
     for y in 0..side {
         picture.row(y, &mut row);

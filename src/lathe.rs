@@ -150,7 +150,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
 
 /// A distance too large for a number is none.
 fn is_beyond(t: f32, t_min: f32) -> bool {
-    t > t_min && t < f32::INFINITY
+    t > t_min && t <= f32::MAX
 }
 
 /// What part of the surface lies in the plane of an end, given the squared radius there.

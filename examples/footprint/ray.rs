@@ -15,7 +15,7 @@ use {cortex_m as _, defmt_rtt as _};
 #[cfg(target_os = "none")]
 use {
     core::hint::black_box,
-    embedded_lathe::{Lathe, Ray},
+    embedded_lathe::{Hit, Lathe, Ray},
 };
 
 #[cfg(target_os = "none")]
@@ -24,12 +24,18 @@ fn main() -> ! {
     let vase: &Lathe = &scenes::VASE;
     let (eye, towards) = ([0.0, -2.2, 0.9], [0.0, 2.2, -0.4]);
     loop {
-        let ray = Ray::new(black_box(eye), black_box(towards)).ok();
-        let hit = ray.and_then(|ray| black_box(vase).nearest(&ray, 0.0));
+        let hit = meet(black_box(vase), black_box(eye), black_box(towards));
         #[cfg(feature = "defmt")]
         defmt::info!("{}", hit);
         black_box(hit);
     }
+}
+
+/// Apart, lest the loop's own numbers get in its way.
+#[cfg(target_os = "none")]
+#[inline(never)]
+fn meet(lathe: &Lathe, origin: [f32; 3], direction: [f32; 3]) -> Option<Hit> {
+    lathe.nearest(&Ray::new(origin, direction).ok()?, 0.0)
 }
 
 #[cfg(not(target_os = "none"))]

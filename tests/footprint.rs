@@ -62,7 +62,7 @@ const ROWS: [Row; 3] = [
         with: "footprint-ray",
         without: "footprint-nothing",
         targets: &[M0, M3, M4F],
-        flash: 9 * 512,
+        flash: 17 * 256,
         ram: 0,
     },
     Row {
@@ -70,7 +70,7 @@ const ROWS: [Row; 3] = [
         with: "footprint-renderer",
         without: "footprint-nothing",
         targets: &[M0, M3, M4F],
-        flash: 15 * 512,
+        flash: 7 * 1024,
         ram: 240 * 2,
     },
     Row {

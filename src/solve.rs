@@ -30,7 +30,7 @@ mod split;
 mod wide;
 
 pub use cardano::Cardano;
-pub use pieces::Piece;
+pub use pieces::{Fall, Piece};
 pub use refine::refine;
 pub use split::Split;
 

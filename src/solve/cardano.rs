@@ -1,4 +1,4 @@
-use super::{Piece, Solver, refine};
+use super::{Fall, Piece, Solver, refine};
 use crate::cubic::Cubic;
 use crate::math::{Math, Native};
 use core::marker::PhantomData;
@@ -59,10 +59,10 @@ fn cubic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
 /// falls between its turning points has c3 > 0.
 fn turn(piece: &Piece, c3: f32) -> f32 {
     const THIRD: f32 = 2.094_395_2;
-    match (c3 > 0.0, piece.sinks) {
-        (true, _) => -THIRD, // cos(θ − 120°), θ in [0, 60°]: the middle root
-        (false, true) => 0.0,
-        (false, false) => THIRD,
+    match piece.fall {
+        _ if c3 > 0.0 => -THIRD, // cos(θ − 120°), θ in [0, 60°]: the middle root
+        Fall::ToMinimum => 0.0,
+        _ => THIRD,
     }
 }
 

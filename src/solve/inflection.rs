@@ -29,19 +29,24 @@ pub(super) fn from_inflection(g: Cubic) -> Guess {
 ///
 /// Newton's steps `(height + c2·d² + 2·c3·d³)/(c1 + 2·c2·d + 3·c3·d²)` from `∛(height/c3)`. That is close where
 /// the cubic term rules; where it does not the first step comes within a factor of 3 and the second where the
-/// others rule. Four leave 10⁻⁶, and nothing cancels on the way.
+/// others rule. From above the root they come down to it, and nothing cancels on the way: at most four bring
+/// the last below 10⁻³ of d, which leaves 10⁻⁶. The square's term may lead to the cubic's by no more than
+/// `c2³ ≤ 2·c3²·height`, or they are more.
 #[cold]
 #[inline(never)]
 pub(super) fn positive_root(height: f32, [c1, c2, c3]: [f32; 3]) -> (f32, f32) {
     if !(height > 0.0) {
         return (0.0, f32::INFINITY);
     }
-    let mut d = cube_root_of_ratio(height, c3);
     let slope = |d| c1 + (2.0 * c2 + 3.0 * c3 * d) * d;
-    for _ in 0..4 {
+    let mut d = cube_root_of_ratio(height, c3);
+    loop {
+        let last = d;
         d = (height + (c2 + 2.0 * c3 * d) * (d * d)) / slope(d);
+        if !((d - last).abs() > 1e-3 * d) {
+            return (d, slope(d));
+        }
     }
-    (d, slope(d))
 }
 
 /// `∛(a/b)` of positive numbers within 6 %, whatever a/b: bits less those of one are about a logarithm.

@@ -29,6 +29,8 @@ pub struct Piece {
     pub lo: f32,
     /// Where it ends, or the minimum if that comes before.
     pub hi: f32,
+    /// How it falls.
+    pub fall: Fall,
     /// `√(c2² − 3·c3·c1)`: half the second derivative at the minimum, and its negative at the maximum. Zero if
     /// there is neither.
     pub bend: f32,
@@ -36,9 +38,18 @@ pub struct Piece {
     pub minimum: f32,
     /// How far below zero the cubic is there.
     pub depth: f32,
-    /// Whether the crossing is on the way to the minimum, within the interval or beyond. If not, it is on the
-    /// way from the maximum down for ever, or there is neither.
-    pub sinks: bool,
+}
+
+/// How a cubic falls to zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Fall {
+    /// It has no turning points.
+    Straight,
+    /// On the way to its minimum, within the interval or beyond.
+    ToMinimum,
+    /// On the way from its maximum, and no minimum below zero comes first.
+    FromMaximum,
 }
 
 impl Piece {
@@ -56,7 +67,9 @@ impl Piece {
 fn turning(g: &Cubic, bend: f32, near: bool) -> f32 {
     let [_, c1, c2, c3] = g.c;
     let sum = if c2 >= 0.0 { c2 + bend } else { c2 - bend };
-    if near { -c1 / sum } else { -sum / (3.0 * c3) }
+    // One division, of what is chosen.
+    let (above, below) = if near { (-c1, sum) } else { (-sum, 3.0 * c3) };
+    above / below
 }
 
 /// The cubic, turned round so that it starts positive, and the piece on which it first falls below zero, if
@@ -67,15 +80,18 @@ fn turning(g: &Cubic, bend: f32, near: bool) -> f32 {
 #[inline(always)]
 pub(crate) fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<(Cubic, Piece)> {
     let g = if positive { *g } else { Cubic::new(g.c.map(|c| -c)) };
-    let bend = bend::<M>(&g);
-    let mut piece = Piece { lo, hi, bend, minimum: f32::INFINITY, depth: 0.0, sinks: false };
-    if bend > 0.0 {
-        piece.minimum = turning(&g, bend, g.c[2] >= 0.0);
-        piece.depth = -g.at(piece.minimum);
-        piece.sinks = lo < piece.minimum && piece.depth >= 0.0;
-        if piece.sinks && piece.minimum < hi {
-            piece.hi = piece.minimum;
-            return Some((g, piece));
+    let mut piece = Piece { lo, hi, fall: Fall::Straight, bend: 0.0, minimum: f32::INFINITY, depth: 0.0 };
+    if let Some(bend) = bend::<M>(&g) {
+        let minimum = turning(&g, bend, g.c[2] >= 0.0);
+        let depth = -g.at(minimum);
+        let sinks = lo < minimum && depth >= 0.0;
+        piece = Piece { fall: Fall::FromMaximum, bend, minimum, depth, ..piece };
+        if sinks {
+            piece.fall = Fall::ToMinimum;
+            if minimum < hi {
+                piece.hi = minimum;
+                return Some((g, piece));
+            }
         }
     }
     (g.at(hi) <= 0.0).then_some((g, piece))
@@ -96,26 +112,25 @@ pub(super) fn crossing<S: Solver>(g: &Cubic, lo: f32, hi: f32, positive: bool) -
     first_crossing::<S>(g, lo, hi, positive)
 }
 
-/// `√(c2² − 3·c3·c1)`, zero if that is not positive.
+/// `√(c2² − 3·c3·c1)`, if that is positive.
 ///
 /// The difference is that of a cubic whose c1 is off by 3 roundings at most. Where it cancels, so do the
 /// cubic's bends, and what g then does between its turning points is far below its rounding.
 #[inline(always)]
-fn bend<M: Math>(g: &Cubic) -> f32 {
+fn bend<M: Math>(g: &Cubic) -> Option<f32> {
     let [_, c1, c2, c3] = g.c;
     let square = c2 * c2 - 3.0 * c3 * c1;
-    if square > 1.0e-24 { M::sqrt(square) } else { slight_bend::<M>(*g) }
+    if square > 1.0e-24 { Some(M::sqrt(square)) } else { slight_bend::<M>(c1, c2, c3) }
 }
 
 /// The same where it is nothing, or so little that the products may underflow; and nothing where it is so
 /// little that the nearer turning point lies beyond 2⁵⁰, about.
 #[cold]
 #[inline(never)]
-fn slight_bend<M: Math>(g: Cubic) -> f32 {
+fn slight_bend<M: Math>(c1: f32, c2: f32, c3: f32) -> Option<f32> {
     const LIFT: f32 = (1_u64 << 60) as f32;
     const FAR: f32 = (1_u64 << 50) as f32;
-    let [_, c1, c2, c3] = g.c.map(|c| LIFT * c);
-    let square = c2 * c2 - 3.0 * c3 * c1;
-    let bend = if square > 0.0 { M::sqrt(square) } else { 0.0 };
-    if FAR * bend > c1.abs() { bend / LIFT } else { 0.0 }
+    let [c1, c2, c3] = [LIFT * c1, LIFT * c2, LIFT * c3];
+    let bend = M::sqrt(greater(0.0, c2 * c2 - 3.0 * c3 * c1));
+    (FAR * bend > c1.abs()).then_some(bend / LIFT)
 }

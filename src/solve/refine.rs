@@ -1,4 +1,4 @@
-use super::Piece;
+use super::{Fall, Piece};
 use crate::cubic::Cubic;
 use crate::math::order::lesser;
 
@@ -22,7 +22,7 @@ const UNIT: f32 = 1.0 / 16_777_216.0;
 pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
     let [c0, _, c2, c3] = g.c;
     // What the crossing lies between, and nothing else, limits a step.
-    let top = if piece.bend > 0.0 { piece.maximum(g) } else { f32::NEG_INFINITY };
+    let top = if piece.fall == Fall::Straight { f32::NEG_INFINITY } else { piece.maximum(g) };
     let (mut lo, mut hi) = (if piece.lo < top && top < piece.hi { top } else { piece.lo }, piece.hi);
     // At zero no value is within its own rounding: what vanishes there is found there, doubly or triply too.
     if c0 == 0.0 && (lo < 0.0 || top == 0.0) && lo <= 0.0 && 0.0 <= hi {

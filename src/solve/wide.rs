@@ -61,23 +61,35 @@ pub(super) fn wide<S: Solver>(g: &Cubic, lo: f32, hi: f32, mut positive: Option<
 }
 
 /// The cubic over another unit, 2ᵘⁿⁱᵗ, scaled by a power of two so that its largest coefficient is in [1, 2).
+#[inline(never)]
 pub(super) fn stretched(g: &Cubic, unit: i32) -> Cubic {
-    let [c0, c1, c2, c3] = g.c;
-    let stretch = [(c0, 0), (c1, unit), (c2, 2 * unit), (c3, 3 * unit)];
-    let largest = stretch.iter().map(|&(c, n)| exponent(c) + n).fold(i32::MIN, i32::max);
-    Cubic::new(stretch.map(|(c, n)| {
-        let n = n - largest;
-        c * power(n / 2) * power(n - n / 2)
-    }))
+    let units = [0, unit, 2 * unit, 3 * unit];
+    let mut largest = i32::MIN;
+    for (&c, n) in g.c.iter().zip(units) {
+        largest = largest.max(exponent(c) + n);
+    }
+    let mut g = *g;
+    for (c, n) in g.c.iter_mut().zip(units) {
+        *c = times_power(*c, n - largest);
+    }
+    g
+}
+
+/// x·2ⁿ, in two factors, since one of 2ⁿ may not be normal.
+#[inline(never)]
+fn times_power(x: f32, n: i32) -> f32 {
+    x * power(n / 2) * power(n - n / 2)
 }
 
 /// `⌊log₂|x|⌋`, far below all others if x is 0.
+#[inline(never)]
 fn exponent(x: f32) -> i32 {
     const LIFT: f32 = (1 << 24) as f32;
-    match x {
-        0.0 => -1_000,
-        _ if bits(x) >> 23 == 0 => exponent(x * LIFT) - 24,
-        _ => (bits(x) >> 23) as i32 - 127,
+    let biased = |x| (bits(x) >> 23) as i32;
+    match biased(x) {
+        0 if x == 0.0 => -1_000,
+        0 => biased(x * LIFT) - 151,
+        e => e - 127,
     }
 }
 

@@ -1,48 +1,52 @@
 //! Where a cubic vanishes: the first root in an interval, or all of them.
 //!
-//! Every method here answers in the same three steps, and only the second differs:
+//! Every method here answers in the same two steps, and only the second differs:
 //!
-//! 1. **Split.** The cubic is turned round to start positive. Its turning points cut the interval into monotone
-//!    pieces, and two signs say which [`Piece`] holds the first root: exactly one. (`pieces.rs`.)
-//! 2. **Seed.** A closed form says about where: that is the [`Solver`].
-//! 3. **Refine.** Two Newton steps bring the seed to the accuracy of the coefficients, or, where they cannot be
-//!    certified, as many as it takes between the ends of the piece. A poor seed costs time, never the answer.
-//!    (`refine.rs`.)
+//! 1. **Split.** The cubic is turned round to start positive. From there it can only fall below zero, towards its
+//!    minimum or the interval's end, and two signs say whether it does: the [`Piece`]. (`pieces.rs`.)
+//! 2. **Solve.** A closed form says where: that is the [`Solver`].
 //!
-//! | solver | seed | cost |
-//! |---|---|---|
-//! | [`Split`] | the parabola at the nearer turning point, bent by the cubic term | one root, two divisions, a short polynomial |
-//! | [`Cardano`] | Cardano's formula, trigonometric or with a cube root | an arc cosine and a cosine, or a cube root |
+//! | solver | closed form | then | cost |
+//! |---|---|---|---|
+//! | [`Split`] | the parabola at the nearer turning point, bent by the cubic term | one Newton step | one root, four divisions, a short polynomial |
+//! | [`Cardano`] | Cardano's formula, trigonometric or with a cube root | [`refine`] | an arc cosine and a cosine, or a cube root, and Newton's steps |
+//!
+//! A closed form that is poor, or poor at times, is brought to full accuracy by [`refine`], in a bracket. The
+//! default needs none: it is good everywhere, and its cost differs little from one cubic to another.
 //!
 //! # Promise
 //!
 //! The root returned is exact for a cubic whose coefficients differ from the given ones by at most
 //! [`BACKWARD_ERROR`] units of 2⁻²⁴ each, relative, and so is the claim that there is none before it. Two
 //! roots closer than that can tell apart may be reported or missed together. Leading coefficients may vanish,
-//! and the scale of the coefficients does not matter; what does not count is a coefficient below 2⁻¹²⁶ of the
-//! largest, or a term `cⱼ·uʲ` below that: on intervals like ±10³⁰ either may be what decides. Coefficients
-//! that are not finite have no roots.
+//! and neither the scale of the coefficients nor the length of the interval matters (`wide.rs`); what does not
+//! count is a coefficient below 2⁻¹²⁶ of the largest. Coefficients that are not finite have no roots.
 
 mod cardano;
+mod inflection;
 mod pieces;
 mod refine;
 mod split;
+mod wide;
 
 pub use cardano::Cardano;
-pub use pieces::{Piece, Turning};
+pub use pieces::{Fall, Piece};
+pub use refine::refine;
 pub use split::Split;
 
 pub(crate) use pieces::{first_crossing, first_piece};
 
 use crate::cubic::Cubic;
-use crate::math::order::{greater, lesser};
+use crate::math::order::greater;
 use crate::math::{Math, Native};
 use heapless::Vec;
+use pieces::crossing;
+use wide::{is_tame, stretched, wide};
 
 /// The relative change of each coefficient, in units of 2⁻²⁴, within which every answer is exact.
 pub const BACKWARD_ERROR: f32 = 4.0;
 
-/// A closed form for about where the root of a monotone piece lies.
+/// A method: where a cubic known to cross zero once in a piece does so.
 ///
 /// ```
 /// use embedded_lathe::{Cubic, math::Libm, solve::{Cardano, Solver, Split}};
@@ -59,9 +63,8 @@ pub trait Solver {
     /// The mathematics that the solver's functions come from.
     type Math: Math;
 
-    /// About where the root of `g` in `piece` lies. Anything is allowed, NaN too: what lies outside the piece
-    /// is replaced by its middle.
-    fn seed(g: &Cubic, piece: &Piece) -> f32;
+    /// The crossing of `g` in `piece`. What lies outside the piece is replaced by its nearer end, NaN by hi.
+    fn root(g: &Cubic, piece: &Piece) -> f32;
 }
 
 /// What the renderer uses, and [`Cubic::first_root`] and [`Cubic::roots`].
@@ -91,60 +94,41 @@ impl Cubic {
 
     /// [`Cubic::first_root`] by the method S.
     pub fn first_root_by<S: Solver>(&self, lo: f32, hi: f32) -> Option<f32> {
-        let (g, lo, hi) = self.within(lo, hi)?;
-        let start = g.at(lo);
-        if start == 0.0 {
-            return Some(lo);
+        if !is_tame(self, lo, hi) {
+            return wide::<S>(self, lo, hi, None);
         }
-        first_crossing::<S>(&g, lo, hi, start > 0.0)
+        let start = self.at(lo);
+        if start == 0.0 { Some(lo) } else { crossing::<S>(self, lo, hi, start > 0.0) }
     }
 
     /// [`Cubic::roots`] by the method S.
     pub fn roots_by<S: Solver>(&self, lo: f32, hi: f32) -> Vec<f32, 3> {
         let mut roots = Vec::new();
-        let Some((g, mut lo, hi)) = self.within(lo, hi) else {
+        if !(lo <= hi) {
             return roots;
-        };
-        let mut positive = g.at(lo) > 0.0;
-        if g.at(lo) == 0.0 {
-            let _ = roots.push(lo);
+        }
+        let tame = is_tame(self, lo, hi);
+        let scaled = if tame { *self } else { stretched(self, 0) };
+        let mut from = greater(f32::MIN, lo);
+        let start = scaled.at(from);
+        let mut positive = start > 0.0;
+        if start == 0.0 {
+            let _ = roots.push(from);
             // The sign beyond is that of the first derivative that has one.
-            let [_, _, c2, c3] = g.c;
-            let signs = [g.slope(lo), c2 + 3.0 * c3 * lo, c3];
+            let [_, _, c2, c3] = scaled.c;
+            let signs = [scaled.slope(from), c2 + 3.0 * c3 * from, c3];
             positive = signs.iter().find(|&&sign| sign != 0.0).is_some_and(|&sign| sign > 0.0);
         }
-        while !roots.is_full() && lo < hi {
-            let Some(root) = first_crossing::<S>(&g, lo, hi, positive) else {
-                break;
+        while !roots.is_full() && (roots.is_empty() || from < hi) {
+            let next = if tame {
+                crossing::<S>(self, from, hi, positive)
+            } else {
+                wide::<S>(self, from, hi, Some(positive))
             };
+            let Some(root) = next else { break };
             let _ = roots.push(root);
-            (lo, positive) = (root, !positive);
+            (from, positive) = (root, !positive);
         }
         roots
     }
-
-    /// The cubic scaled by a power of two, so that its largest coefficient lies in [1, 4), and the interval
-    /// made finite.
-    fn within(&self, lo: f32, hi: f32) -> Option<(Self, f32, f32)> {
-        // Magnitudes are ordered as their bits are, NaN above all.
-        let [b0, b1, b2, b3] = self.c.map(|c| c.abs().to_bits());
-        let largest = f32::from_bits(b0.max(b1).max(b2.max(b3)));
-        if !(lo <= hi && largest < f32::INFINITY) {
-            return None;
-        }
-        let [up, again] = to_one(largest);
-        let c = self.c.map(|c| c * up * again);
-        let bound = f32::MAX;
-        Some((Self { c }, greater(-bound, lo), lesser(bound, hi)))
-    }
-}
-
-/// Two powers of two whose product brings `largest` into [1, 4): one to lift subnormal numbers, one to do the
-/// rest.
-fn to_one(largest: f32) -> [f32; 2] {
-    let lift = if largest < f32::MIN_POSITIVE { 16_777_216.0 } else { 1.0 };
-    let exponent = (largest * lift).to_bits() >> 23;
-    // 2^(127 − e) has the biased exponent 254 − e, which must stay above 0.
-    let down = if exponent < 254 { 254 - exponent } else { 1 };
-    [lift, f32::from_bits(down << 23)]
 }

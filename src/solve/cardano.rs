@@ -1,4 +1,4 @@
-use super::{Piece, Solver};
+use super::{Fall, Piece, Solver, refine};
 use crate::cubic::Cubic;
 use crate::math::{Math, Native};
 use core::marker::PhantomData;
@@ -32,9 +32,9 @@ pub struct Cardano<M = Native>(PhantomData<M>);
 impl<M: Math> Solver for Cardano<M> {
     type Math = M;
 
-    fn seed(g: &Cubic, piece: &Piece) -> f32 {
+    fn root(g: &Cubic, piece: &Piece) -> f32 {
         let u = cubic::<M>(g, piece);
-        if piece.lo < u && u < piece.hi { u } else { quadratic::<M>(g, piece) }
+        refine(g, piece, if piece.lo < u && u < piece.hi { u } else { quadratic::<M>(g, piece) })
     }
 }
 
@@ -55,14 +55,15 @@ fn cubic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
     (x - c2) / (3.0 * c3)
 }
 
-/// Which of the three angles belongs to the piece. X falls with θ; u rises with X if c3 > 0.
+/// Which of the three angles belongs to the piece. X falls with θ; u rises with X if c3 > 0. A cubic that
+/// falls between its turning points has c3 > 0.
 fn turn(piece: &Piece, c3: f32) -> f32 {
     const THIRD: f32 = 2.094_395_2;
-    if piece.maximum.at.is_finite() && piece.minimum.at.is_finite() {
-        return -THIRD; // cos(θ − 120°), θ in [0, 60°]: the middle root
+    match piece.fall {
+        _ if c3 > 0.0 => -THIRD, // cos(θ − 120°), θ in [0, 60°]: the middle root
+        Fall::ToMinimum => 0.0,
+        _ => THIRD,
     }
-    let rightmost = piece.maximum.at.is_finite();
-    if rightmost == (c3 > 0.0) { 0.0 } else { THIRD }
 }
 
 /// The root of `c0 + c1·u + c2·u²` in the piece: beside the turning point, on the piece's side of it.

@@ -1,35 +1,21 @@
-use super::{Solver, refine::refine};
+use super::Solver;
 use crate::cubic::Cubic;
 use crate::math::Math;
+use crate::math::order::{greater, lesser};
 
-/// A turning point of a cubic.
+/// Where a cubic first crosses zero: it is positive from `lo` to the crossing, and negative, or zero, at `hi`,
+/// which the crossing is the only one before.
 ///
 /// ```
-/// use embedded_lathe::solve::Turning;
-/// let nowhere = Turning { at: f32::INFINITY, height: f32::INFINITY };
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Turning {
-    /// Where, infinite if nowhere.
-    pub at: f32,
-    /// The magnitude of the cubic there, infinite if nowhere.
-    pub height: f32,
-}
-
-/// The monotone piece of a cubic that holds its first crossing. The cubic falls from `lo`, where it is
-/// positive, to `hi`, where it is negative.
-///
-/// ```
-/// use embedded_lathe::{Cubic, math::Native, solve::{Piece, Solver}};
+/// use embedded_lathe::{Cubic, math::Native, solve::{Piece, Solver, refine}};
 ///
 /// /// Bisection: a solver without an idea of its own.
 /// struct Middle;
 ///
 /// impl Solver for Middle {
 ///     type Math = Native;
-///     fn seed(_: &Cubic, piece: &Piece) -> f32 {
-///         0.5 * (piece.lo + piece.hi)
+///     fn root(g: &Cubic, piece: &Piece) -> f32 {
+///         refine(g, piece, 0.5 * (piece.lo + piece.hi))
 ///     }
 /// }
 ///
@@ -39,17 +25,51 @@ pub struct Turning {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Piece {
-    /// Where the piece begins: at a maximum, or at the interval's end.
+    /// Where the interval begins.
     pub lo: f32,
-    /// Where it ends: at a minimum, or at the interval's end.
+    /// Where it ends, or the minimum if that comes before.
     pub hi: f32,
-    /// The maximum that it falls from, which may lie before the interval.
-    pub maximum: Turning,
-    /// The minimum that it falls to, which may lie beyond the interval.
-    pub minimum: Turning,
-    /// Half the second derivative at the minimum, and its negative at the maximum: with d the distance from
-    /// one of the two, `|g| = |height − bend·d² ± c3·d³|`. Zero if there is neither.
+    /// How it falls.
+    pub fall: Fall,
+    /// `√(c2² − 3·c3·c1)`: half the second derivative at the minimum, and its negative at the maximum. Zero if
+    /// there is neither.
     pub bend: f32,
+    /// The minimum. Infinite or not a number if there is none.
+    pub minimum: f32,
+    /// How far below zero the cubic is there.
+    pub depth: f32,
+}
+
+/// How a cubic falls to zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Fall {
+    /// It has no turning points.
+    Straight,
+    /// On the way to its minimum, within the interval or beyond.
+    ToMinimum,
+    /// On the way from its maximum, and no minimum below zero comes first.
+    FromMaximum,
+}
+
+impl Piece {
+    /// Where the cubic is greatest, if it has turning points. Infinite or not a number if there is none.
+    #[inline(always)]
+    pub fn maximum(&self, g: &Cubic) -> f32 {
+        turning(g, self.bend, g.c[2] < 0.0)
+    }
+}
+
+/// A turning point: `(−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`, each from that form of the quadratic formula
+/// that adds two numbers of one sign, so that the one which stays finite as c3 → 0, the one near to zero, is
+/// found without dividing by it. The near one is the minimum if c2 ≥ 0.
+#[inline(always)]
+fn turning(g: &Cubic, bend: f32, near: bool) -> f32 {
+    let [_, c1, c2, c3] = g.c;
+    let sum = if c2 >= 0.0 { c2 + bend } else { c2 - bend };
+    // One division, of what is chosen.
+    let (above, below) = if near { (-c1, sum) } else { (-sum, 3.0 * c3) };
+    above / below
 }
 
 /// The cubic, turned round so that it starts positive, and the piece on which it first falls below zero, if
@@ -57,87 +77,60 @@ pub struct Piece {
 ///
 /// `positive` says how it starts, whatever rounding makes of its value there. From above zero it can come
 /// below only by falling, and then the minimum, or the interval's end, is below: two signs tell.
-///
-/// The turning points are `(−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`: each from that form of the quadratic
-/// formula that adds two numbers of one sign, so that the one which stays finite as c3 → 0 is found without
-/// dividing by it.
 #[inline(always)]
 pub(crate) fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<(Cubic, Piece)> {
-    let sign = if positive { 1.0 } else { -1.0 };
-    let g = Cubic::new(g.c.map(|c| sign * c));
-    let [_, c1, c2, c3] = g.c;
-    let nowhere = |at| Turning { at, height: f32::INFINITY };
-    let square = difference_of_products(c2, 3.0 * c1, c3);
-    if !(square > 0.0) {
-        let none =
-            Piece { lo, hi, maximum: nowhere(f32::NEG_INFINITY), minimum: nowhere(f32::INFINITY), bend: 0.0 };
-        return (g.at(hi) <= 0.0).then_some((g, none));
+    let g = if positive { *g } else { Cubic::new(g.c.map(|c| -c)) };
+    let mut piece = Piece { lo, hi, fall: Fall::Straight, bend: 0.0, minimum: f32::INFINITY, depth: 0.0 };
+    if let Some(bend) = bend::<M>(&g) {
+        let minimum = turning(&g, bend, g.c[2] >= 0.0);
+        let depth = -g.at(minimum);
+        let sinks = lo < minimum && depth >= 0.0;
+        piece = Piece { fall: Fall::FromMaximum, bend, minimum, depth, ..piece };
+        if sinks {
+            piece.fall = Fall::ToMinimum;
+            if minimum < hi {
+                piece.hi = minimum;
+                return Some((g, piece));
+            }
+        }
     }
-    let bend = M::sqrt(square);
-    let rising = c2 >= 0.0;
-    let sum = if rising { c2 + bend } else { c2 - bend };
-    let (near, far) = (-c1 / sum, -sum / (3.0 * c3));
-    let (minimum, maximum) = if rising { (near, far) } else { (far, near) };
-
-    let (mut end, mut value) = (minimum, g.at(minimum));
-    let depth = -value;
-    if !(lo < end && end < hi && value <= 0.0) {
-        (end, value) = (hi, g.at(hi));
-    }
-    if !(value <= 0.0) {
-        return None;
-    }
-    let start = if lo < maximum && maximum < end { maximum } else { lo };
-    // A value that is not a number belongs to a point at infinity.
-    let maximum = if maximum <= start && maximum > f32::NEG_INFINITY {
-        Turning { at: maximum, height: g.at(maximum) }
-    } else {
-        nowhere(f32::NEG_INFINITY)
-    };
-    let minimum = if minimum >= end && minimum < f32::INFINITY {
-        Turning { at: minimum, height: depth }
-    } else {
-        nowhere(f32::INFINITY)
-    };
-    Some((g, Piece { lo: start, hi: end, maximum, minimum, bend }))
+    (g.at(hi) <= 0.0).then_some((g, piece))
 }
 
 /// The first point of [lo, hi] at which a cubic that starts positive (or not) has the other sign, or is zero.
 #[inline(always)]
 pub(crate) fn first_crossing<S: Solver>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<f32> {
     let (g, piece) = first_piece::<S::Math>(g, lo, hi, positive)?;
-    Some(refine(&g, &piece, S::seed(&g, &piece)))
+    let root = S::root(&g, &piece);
+    // Not `clamp`, which panics if the ends are out of order, so that firmware would carry the message.
+    Some(greater(piece.lo, lesser(piece.hi, root)))
 }
 
-/// `a² − b·c` to within a few units of the result wherever it is not far below the rounding of the exact
-/// products.
+/// The same, apart.
+#[inline(never)]
+pub(super) fn crossing<S: Solver>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<f32> {
+    first_crossing::<S>(g, lo, hi, positive)
+}
+
+/// `√(c2² − 3·c3·c1)`, if that is positive.
 ///
-/// The plain difference, unless it cancels; then each product is taken exactly, as a sum of two numbers
-/// (Dekker 1971).
+/// The difference is that of a cubic whose c1 is off by 3 roundings at most. Where it cancels, so do the
+/// cubic's bends, and what g then does between its turning points is far below its rounding.
 #[inline(always)]
-fn difference_of_products(a: f32, b: f32, c: f32) -> f32 {
-    let (square, product) = (a * a, b * c);
-    let plain = square - product;
-    if plain.abs() > 0.25 * square { plain } else { exact_difference(a, b, c) }
+fn bend<M: Math>(g: &Cubic) -> Option<f32> {
+    let [_, c1, c2, c3] = g.c;
+    let square = c2 * c2 - 3.0 * c3 * c1;
+    if square > 1.0e-24 { Some(M::sqrt(square)) } else { slight_bend::<M>(c1, c2, c3) }
 }
 
+/// The same where it is nothing, or so little that the products may underflow; and nothing where it is so
+/// little that the nearer turning point lies beyond 2⁵⁰, about.
 #[cold]
 #[inline(never)]
-fn exact_difference(a: f32, b: f32, c: f32) -> f32 {
-    let (square, product) = (a * a, b * c);
-    (square - product) + (tail(a, a, square) - tail(b, c, product))
-}
-
-/// What rounding took from a·b: `a·b = product + tail`, exactly, if nothing under- or overflows.
-fn tail(a: f32, b: f32, product: f32) -> f32 {
-    let (a1, a0) = halves(a);
-    let (b1, b0) = halves(b);
-    ((a1 * b1 - product) + a1 * b0 + a0 * b1) + a0 * b0
-}
-
-/// A number as a sum of two of 12 bits each (Veltkamp 1968).
-fn halves(a: f32) -> (f32, f32) {
-    let shifted = 4097.0 * a;
-    let high = shifted - (shifted - a);
-    (high, a - high)
+fn slight_bend<M: Math>(c1: f32, c2: f32, c3: f32) -> Option<f32> {
+    const LIFT: f32 = (1_u64 << 60) as f32;
+    const FAR: f32 = (1_u64 << 50) as f32;
+    let [c1, c2, c3] = [LIFT * c1, LIFT * c2, LIFT * c3];
+    let bend = M::sqrt(greater(0.0, c2 * c2 - 3.0 * c3 * c1));
+    (FAR * bend > c1.abs()).then_some(bend / LIFT)
 }

@@ -1,52 +1,38 @@
-use super::pieces::Piece;
+use super::{Fall, Piece};
 use crate::cubic::Cubic;
-use crate::math::order::{greater, lesser};
+use crate::math::order::lesser;
 
 /// Bisection alone would need one step a bit of the result, 24, after as many as the exponents differ.
 /// Newton's needs two or three; the rest is for those who call with an interval like ±10³⁸ and a bad seed.
 const MOST_STEPS: u32 = 160;
 
-/// The root of `g` in a monotone piece, by Newton's method from `seed`.
-///
-/// After a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`. Below an eighth of a
-/// rounding of c0, which is no more than half of `Σ |cⱼ·uʲ|` at a root, there is nothing left to gain. Two
-/// steps are taken on trust. If they stay in the piece, the second is short beside what it starts from and
-/// beside the way to the turning point, and what remains is nothing, they have found its root, for it has
-/// only one. If not, [`guarded`] does.
-#[inline(always)]
-pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
-    let [c0, _, c2, c3] = g.c;
-    let u = seed - g.at(seed) / g.slope(seed);
-    let (value, slope) = (g.at(u), g.slope(u));
-    let step = value / slope;
-    let bend = c2 + 3.0 * c3 * u;
-    let root = u - step;
-    let settled = (step * step * (bend - c3 * step)).abs() <= 0.125 * UNIT * c0.abs();
-    let short = step.abs() <= 0.125 * root.abs() && (step * bend).abs() <= 0.125 * slope.abs();
-    if settled && short && piece.lo < root && root < piece.hi { root } else { guarded(*g, *piece, seed) }
-}
-
 const UNIT: f32 = 1.0 / 16_777_216.0;
 
-/// The same, held in the bracket that the signs of `g` draw ever closer. A step that leaves the bracket is
-/// replaced by its middle.
+/// The root of `g` in a piece, by Newton's method from any seed, NaN too: a poor one costs time, never the
+/// answer. For solvers whose seeds are poor, or poor at times.
+///
+/// Held in the bracket that the signs of `g` draw ever closer; a step that leaves the bracket is replaced by
+/// its middle. After a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`.
 ///
 /// Two ways out, both bounds on the value: one that is within its own rounding has no sign to go by, only a
 /// last step to offer; and one that remains after a step may be below a rounding. Beside a turning point the
 /// slope is mostly rounding: no step is longer than half the way to it, and every fourth of those is replaced
 /// by the bracket's middle, for from a bad seed they could go on for long.
-#[cold]
 #[inline(never)]
-fn guarded(g: Cubic, piece: Piece, seed: f32) -> f32 {
-    let [_, _, c2, c3] = g.c;
-    let (mut lo, mut hi) = (piece.lo, piece.hi);
+pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
+    let [c0, _, c2, c3] = g.c;
+    // What the crossing lies between, and nothing else, limits a step.
+    let top = if piece.fall == Fall::Straight { f32::NEG_INFINITY } else { piece.maximum(g) };
+    let (mut lo, mut hi) = (if piece.lo < top && top < piece.hi { top } else { piece.lo }, piece.hi);
+    // At zero no value is within its own rounding: what vanishes there is found there, doubly or triply too.
+    if c0 == 0.0 && (lo < 0.0 || top == 0.0) && lo <= 0.0 && 0.0 <= hi {
+        return 0.0;
+    }
+    let maximum = if top <= lo { top } else { f32::NEG_INFINITY };
+    let minimum = if piece.minimum >= hi { piece.minimum } else { f32::INFINITY };
     let mut u = seed;
     for count in 0..MOST_STEPS {
         if !(lo < u && u < hi) {
-            // A double root at an end, such as a cone's apex on its axis, is seeded there exactly.
-            if u == lo && g.at(u) == 0.0 {
-                break;
-            }
             u = 0.5 * lo + 0.5 * hi;
             if !(lo < u && u < hi) {
                 break;
@@ -55,7 +41,7 @@ fn guarded(g: Cubic, piece: Piece, seed: f32) -> f32 {
         let value = g.at(u);
         let rounding = UNIT * g.size(u);
         let step = value / g.slope(u);
-        let reach = 0.5 * lesser(u - piece.maximum.at, piece.minimum.at - u);
+        let reach = 0.5 * lesser(u - maximum, minimum - u);
         let far = step.abs() > reach;
         let rest = step * step * (c2 + 3.0 * c3 * u - c3 * step);
         let last = !far && rest.abs() <= 0.125 * rounding;
@@ -82,6 +68,5 @@ fn guarded(g: Cubic, piece: Piece, seed: f32) -> f32 {
             break;
         }
     }
-    // Not `clamp`, which panics if the ends are out of order, so that firmware would carry the message.
-    greater(piece.lo, lesser(piece.hi, u))
+    u
 }

@@ -13,13 +13,11 @@ pub(super) const fn threshold(x: u32, y: u32) -> u32 {
 pub(super) fn dithered(share: f32, most: u8, x: u32, y: u32) -> u8 {
     let exact = share * most as f32;
     let offset = (threshold(x, y) as f32 + 0.5) * (1.0 / 64.0);
-    // Conversion cuts off what lies outside 0 to 255 and makes NaN 0.
-    let shade = (exact + offset) as u8;
-    if shade < most { shade } else { most }
+    // Conversion cuts off what is negative and makes NaN 0.
+    ((exact + offset) as u32).min(most.into()) as u8
 }
 
 /// The nearest shade, of those from 0 to `most`.
 pub(super) fn nearest(share: f32, most: u8) -> u8 {
-    let shade = (share * most as f32 + 0.5) as u8;
-    if shade < most { shade } else { most }
+    ((share * most as f32 + 0.5) as u32).min(most.into()) as u8
 }

@@ -16,19 +16,26 @@
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
 
 mod chord;
+mod clear;
+mod first;
 mod path;
 mod segment;
+mod sweep;
+mod walk;
 
 pub use segment::Segment;
+pub(crate) use sweep::{Look, Seen, Sweep};
 
 use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
 use crate::ray::Ray;
 use crate::solve::{DefaultSolver, Solver};
+use crate::vector::{F32x3, largest, vector};
 use core::ops::ControlFlow;
 use heapless::Vec;
-use path::walk;
+use path::Path;
 use segment::{power_of_two_for, widened};
+use walk::walk;
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
 ///
@@ -79,6 +86,13 @@ struct Frame {
     high: f32,
     /// The square of the bounding cylinder's radius, in the frame.
     reach: f32,
+    /// The radius of a ball around all of it.
+    size: f32,
+    /// The larger of the squared radii at its ends.
+    ends: f32,
+    /// Bounds on the first derivative of the squared radius by height, and on half the second.
+    steepest: f32,
+    curvature: f32,
     /// What part of the surface the plane of the lower end holds: nothing if it is open, and the wall itself
     /// where that closes to a point.
     base: Option<Part>,
@@ -111,6 +125,15 @@ impl<const N: usize> Lathe<[Segment; N]> {
             segments[i] = Segment::new(&profile.spans[i], middle, scale);
             i += 1;
         }
+        Segment::cover(&mut segments, len);
+        let (mut steepest, mut curvature) = (0.0, 0.0);
+        let mut i = 0;
+        while i < len {
+            steepest = segments[i].steepest().max(steepest);
+            curvature = segments[i].curvature().max(curvature);
+            i += 1;
+        }
+        let (high, reach) = (segments[len - 1].high, widened(largest * scale * scale));
         let frame = Frame {
             len,
             squash: profile.squash,
@@ -118,8 +141,12 @@ impl<const N: usize> Lathe<[Segment; N]> {
             scale,
             middle,
             low: segments[0].low,
-            high: segments[len - 1].high,
-            reach: widened(largest * scale * scale),
+            high,
+            reach,
+            size: crate::math::constant::sqrt(reach + high * high),
+            ends: segments[0].b[0].max(segments[len - 1].b[3]),
+            steepest,
+            curvature,
             base: plane(segments[0].b[0], profile.base, Part::Base),
             top: plane(segments[len - 1].b[3], profile.top, Part::Top),
         };
@@ -140,7 +167,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
             assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
         }
         let mut hits = Vec::new();
-        let _: Option<()> = walk::<S, _, false>(self.view(), ray, t_min, |hit| {
+        let _: Option<()> = walk::<S, _, false>(self.view(), &Path::new(&self.frame, ray), t_min, |hit| {
             let _ = hits.push(hit);
             ControlFlow::Continue(())
         });
@@ -176,8 +203,9 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     }
 
     /// [`Lathe::nearest`] with the solver S.
+    #[inline(always)]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        walk::<S, _, false>(self.view(), ray, t_min, ControlFlow::Break)
+        walk::<S, _, false>(self.view(), &Path::new(&self.frame, ray), t_min, ControlFlow::Break)
     }
 
     /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends
@@ -188,19 +216,23 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
     /// [`Lathe::is_hit`] with the solver S.
     pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
-        walk::<S, _, true>(self.view(), ray, t_min, ControlFlow::Break).is_some()
+        walk::<S, _, true>(self.view(), &Path::new(&self.frame, ray), t_min, ControlFlow::Break).is_some()
     }
 
-    /// The frame's scale, and the squash.
-    pub(crate) fn proportions(&self) -> (f32, f32) {
-        (self.frame.scale, self.frame.squash)
-    }
-
-    /// How fast the squared radius grows with height at a hit, in the frame.
-    pub(crate) fn slope(&self, hit: &Hit) -> f32 {
-        match self.view().segments.get(hit.segment) {
-            Some(segment) => segment.at(hit.u).1 * segment.per_height,
-            None => 0.0,
+    /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the
+    /// wall, in the lathe's frame; along the axis where that is nothing.
+    pub(crate) fn gradient_at(&self, point: F32x3, hit: &Hit) -> F32x3 {
+        let View { frame, segments } = self.view();
+        let slope = segments.get(hit.segment).map_or(0.0, |segment| segment.at(hit.u).1 * segment.per_height);
+        let (x, y) = (frame.squash * frame.scale * point.x, frame.scale * point.y);
+        let gradient = vector([x, y, -0.5 * slope]);
+        let pole = |z| vector([0.0, 0.0, z]);
+        match hit.part {
+            Part::Base => pole(-1.0),
+            Part::Top => pole(1.0),
+            Part::Wall if largest(gradient) > 0.0 => gradient,
+            Part::Wall if hit.segment == 0 && hit.u < 0.5 => pole(-1.0),
+            Part::Wall => pole(1.0),
         }
     }
 }

@@ -98,6 +98,7 @@ mod light;
 mod pose;
 mod profile;
 mod ray;
+mod rays;
 mod rows;
 mod scene;
 mod scene_error;

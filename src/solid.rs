@@ -2,12 +2,15 @@
 
 use crate::color::Rgb;
 use crate::hit::Hit;
-use crate::lathe::Lathe;
+use crate::lathe::{Lathe, Look, Seen, Sweep};
 use crate::light::Light;
+use crate::math::{Math, Native};
 use crate::pose::Pose;
 use crate::ray::Ray;
+use crate::rays::{Rays, Row};
+use crate::solve::DefaultSolver;
 use crate::surface::{Surface, unit};
-use crate::vector::{F32x3, Vector};
+use crate::vector::Vector;
 
 /// A turned solid at its place in the world: what it is, where it is, what it looks like.
 ///
@@ -68,20 +71,22 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The solid as seen along rays that change evenly: the first and the change from one to the next,
-    /// brought into object space once for all of them.
-    pub(crate) fn seen_along(&self, rays: &Rays, light: &Light) -> Seen<'_> {
-        let (pose, back) = (&self.pose, |v| self.pose.rotation.back(v));
-        Seen {
+    /// The solid as the pixels from `start` to `end` of a row see it.
+    #[inline(always)]
+    pub(crate) fn seen_from<'s>(&'s self, row: &'s Row, light: &Light, start: u32, end: u32) -> View<'s> {
+        let Pose { position, rotation, scale } = &self.pose;
+        let (rays, per_scale) = (row.rays(), 1.0 / scale);
+        let own = Rays {
+            origin: rotation.back(rays.origin - *position) * per_scale,
+            origin_step: rotation.back(rays.origin_step) * per_scale,
+            direction: rotation.back(rays.direction),
+            direction_step: rotation.back(rays.direction_step),
+        };
+        View {
             solid: self,
-            rays: Rays {
-                origin: pose.point_into(rays.origin),
-                origin_step: back(rays.origin_step) * (1.0 / pose.scale),
-                direction: back(rays.direction),
-                direction_step: back(rays.direction_step),
-            },
-            unit: 1.0 / pose.scale,
-            light: Light { towards: back(light.towards), ..*light },
+            row,
+            light: Light { towards: rotation.back(light.towards), ..*light },
+            sweep: self.lathe.sweep(&own, per_scale, start, end),
         }
     }
 }
@@ -93,50 +98,50 @@ impl defmt::Format for Solid<'_> {
     }
 }
 
-/// The rays of neighbouring pixels: origin and direction are linear in the pixel's number.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Rays {
-    pub origin: F32x3,
-    pub origin_step: F32x3,
-    pub direction: F32x3,
-    pub direction_step: F32x3,
-}
-
-/// A solid, some rays and the light, all in the solid's own space.
-pub(crate) struct Seen<'a> {
+/// A solid as a row of pixels sees it, with the light in the solid's own space.
+pub(crate) struct View<'a> {
     solid: &'a Solid<'a>,
-    rays: Rays,
-    unit: f32,
+    row: &'a Row<'a>,
     light: Light,
+    sweep: Sweep<'a>,
 }
 
-impl Seen<'_> {
-    /// The distance and the colour of what the i-th ray sees of the solid, nearer than `nearest`.
+impl View<'_> {
+    /// What the i-th ray sees, found from what the one before it saw. `None` is no answer: `look`.
     #[inline(always)]
-    pub fn pixel(&self, i: u32, nearest: f32) -> Option<(f32, Rgb)> {
-        let i = i as f32;
-        let ray = Ray {
-            origin: self.rays.origin + self.rays.origin_step * i,
-            direction: self.rays.direction + self.rays.direction_step * i,
-            unit: self.unit,
-        };
-        let lathe = self.solid.lathe;
-        let hit = lathe.nearest(&ray, 0.0)?;
-        (hit.t < nearest).then(|| (hit.t, self.colour(&ray, &hit)))
+    pub fn follow(&mut self, i: u32) -> Option<Seen> {
+        self.sweep.follow(i)
     }
 
-    /// The wall seen from within turns its other side.
+    /// With nothing to follow, what is to be done.
+    #[inline(never)]
+    pub fn look(&mut self, i: u32) -> Look {
+        self.sweep.look(i)
+    }
+
+    /// What the i-th ray sees, found as that of any ray: what `follow` and `look` leave in doubt is decided as
+    /// everywhere.
+    #[inline(never)]
+    pub fn alone(&mut self, i: u32) -> Option<Seen> {
+        let (ray, lathe) = (self.solid.ray_into(&self.row.ray(i)), self.solid.lathe);
+        let hit = lathe.nearest_by::<DefaultSolver>(&ray, 0.0)?;
+        self.sweep.found(&hit);
+        let gradient = unit(lathe.gradient_at(ray.at(hit.t), &hit));
+        Some(Seen { t: hit.t, gradient, sign: if hit.enters { 1.0 } else { -1.0 } })
+    }
+
+    /// The colour of what the i-th ray sees. The wall seen from within turns its other side.
     #[inline(always)]
-    fn colour(&self, ray: &Ray, hit: &Hit) -> Rgb {
-        let Solid { lathe, colour, shininess, .. } = *self.solid;
-        let normal = unit(lathe.gradient(ray.at(hit.t), hit));
-        let side = if hit.enters { 1.0 } else { -1.0 };
-        let nl = side * normal.dot(self.light.towards);
-        if shininess == 0 {
-            return self.light.shade(colour, 0, nl, 0.0, 0.0);
+    pub fn colour(&self, i: u32, seen: &Seen) -> Rgb {
+        let Solid { pose, colour, shininess, .. } = self.solid;
+        let Seen { gradient, sign, .. } = *seen;
+        let per_length = sign / Native::sqrt(gradient.dot(gradient));
+        let nl = per_length * gradient.dot(self.light.towards);
+        if *shininess == 0 {
+            return self.light.shade(*colour, 0, nl, 0.0, 0.0);
         }
-        let view = unit(ray.direction);
-        let (nv, lv) = (-side * normal.dot(view), -self.light.towards.dot(view));
-        self.light.shade(colour, shininess, nl, nv, lv)
+        let view = unit(pose.rotation.back(self.row.ray(i).direction));
+        let (nv, lv) = (-per_length * gradient.dot(view), -self.light.towards.dot(view));
+        self.light.shade(*colour, *shininess, nl, nv, lv)
     }
 }

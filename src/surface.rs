@@ -1,10 +1,10 @@
 //! What is seen of a hit: its point and its normal. Paid for by visible hits only.
 
-use crate::hit::{Hit, Part};
+use crate::hit::Hit;
 use crate::lathe::{Lathe, Segment};
 use crate::math::{Math, Native};
 use crate::ray::Ray;
-use crate::vector::{F32x3, Vector, largest, vector};
+use crate::vector::{F32x3, Vector, largest};
 
 /// A point of a surface.
 ///
@@ -50,23 +50,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// other operations.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let point = ray.at(hit.t);
-        let normal = unit(self.gradient(point, hit));
+        let normal = unit(self.gradient_at(point, hit));
         Surface { point, normal }
-    }
-
-    /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the
-    /// wall, in the lathe's frame; along the axis where that is nothing.
-    pub(crate) fn gradient(&self, point: F32x3, hit: &Hit) -> F32x3 {
-        let (scale, squash) = self.proportions();
-        let pole = |z| vector([0.0, 0.0, z]);
-        let gradient = vector([squash * scale * point.x, scale * point.y, -0.5 * self.slope(hit)]);
-        match hit.part {
-            Part::Base => pole(-1.0),
-            Part::Top => pole(1.0),
-            Part::Wall if largest(gradient) > 0.0 => gradient,
-            Part::Wall if hit.segment == 0 && hit.u < 0.5 => pole(-1.0),
-            Part::Wall => pole(1.0),
-        }
     }
 }
 
@@ -76,7 +61,13 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 /// brought there first.
 #[inline]
 pub(crate) fn unit(v: F32x3) -> F32x3 {
-    let size = largest(v);
-    let v = if size > 1e-12 && size < 1e12 { v } else { v * (1.0 / size) };
+    let square = v.dot(v);
+    if square > 1e-24 && square < 1e24 { v * (1.0 / Native::sqrt(square)) } else { unit_of_odd_length(v) }
+}
+
+#[cold]
+#[inline(never)]
+fn unit_of_odd_length(v: F32x3) -> F32x3 {
+    let v = v * (1.0 / largest(v));
     v * (1.0 / Native::sqrt(v.dot(v)))
 }

@@ -46,8 +46,27 @@ fn rows<C: Paint>(scene: &Scene, width: u32, height: u32, parts: &[usize], blank
     pixels
 }
 
+/// Pixels compared, and those that differ: by one step of a channel, where rounding decides.
+#[derive(Default)]
+struct Compared {
+    pixels: usize,
+    differ: usize,
+}
+
+impl Compared {
+    fn add(&mut self, one: Rgb565, other: Rgb565, what: &str) {
+        self.pixels += 1;
+        self.differ += usize::from(one != other);
+        for (a, b) in [(one.r(), other.r()), (one.g(), other.g()), (one.b(), other.b())] {
+            assert!(a.abs_diff(b) <= 1, "{what}: {one:?} and {other:?}");
+        }
+    }
+}
+
+/// Whole or in parts, by rows or by a display: what is shared along a row differs, so that bits may.
 #[test]
 fn every_way_gives_the_same_pixels() {
+    let mut compared = Compared::default();
     for (_, scene) in scenes::NAMED {
         let (width, height) = (101, 67);
         let display = drawn::<Rgb565>(scene, width, height);
@@ -55,22 +74,25 @@ fn every_way_gives_the_same_pixels() {
         let all: Vec<Rgb565> =
             (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| at(x, y)).collect();
         for parts in [&[101][..], &[32], &[1], &[5, 40, 2]] {
-            assert!(rows(scene, width, height, parts, Rgb565::BLACK) == all, "rows by {parts:?}");
+            let rows = rows(scene, width, height, parts, Rgb565::BLACK);
+            rows.iter().zip(&all).for_each(|(&a, &b)| compared.add(a, b, &format!("rows by {parts:?}")));
         }
         // As an image, part of which lies outside the display, at a place of its own.
         let mut clipped = SimulatorDisplay::<Rgb565>::new(Size::new(60, 50));
         let drawable = scene.picture(width, height).drawable::<Rgb565>();
         Image::new(&drawable, Point::new(-20, -10)).draw(&mut clipped).unwrap();
         for (x, y) in (0..60).flat_map(|x| (0..50).map(move |y| (x, y))) {
-            assert_eq!(clipped.get_pixel(Point::new(x, y)), at(x as u32 + 20, y as u32 + 10), "{x}, {y}");
+            compared.add(clipped.get_pixel(Point::new(x, y)), at(x as u32 + 20, y as u32 + 10), "clipped");
         }
         let area = Rectangle::new(Point::new(30, 20), Size::new(17, 9));
         let mut part = SimulatorDisplay::<Rgb565>::new(Size::new(17, 9));
         Image::new(&drawable.sub_image(&area), Point::zero()).draw(&mut part).unwrap();
         for (x, y) in (0..17).flat_map(|x| (0..9).map(move |y| (x, y))) {
-            assert_eq!(part.get_pixel(Point::new(x, y)), at(x as u32 + 30, y as u32 + 20), "{x}, {y}");
+            compared.add(part.get_pixel(Point::new(x, y)), at(x as u32 + 30, y as u32 + 20), "part");
         }
     }
+    println!("{} of {} pixels differ by one step", compared.differ, compared.pixels);
+    assert!(compared.differ * 10_000 <= compared.pixels, "{} of {}", compared.differ, compared.pixels);
 }
 
 /// A display that takes pixels by `nth`, as clipping drivers do.

@@ -22,43 +22,30 @@ pub(super) struct Chord<'a> {
 impl<'a> Chord<'a> {
     /// The chord between two of the path's t, unless all of it lies outside the segment's cylinder.
     ///
-    /// Taylor's formula about a point of the chord, a from where the path is nearest to the axis,
-    ///
-    /// `g = f(u) − (x² + y²) + s·(f′·κ − 2·q·a) + s²·(f″/2·κ² − q) + s³·f₃·κ³`, κ = du/ds = dz/h.
-    ///
-    /// No division, whatever the slope; a horizontal ray has κ = 0. The point is the one nearest to the axis,
-    /// where x² + y² is least, unless f and x² + y² are less where the segment is narrowest, as they can be
-    /// for a steep ray: so that by a pole or in a narrow neck the coefficients are as small as the solid is
-    /// there.
+    /// g is reckoned about the point nearest to the axis, where x² + y² is least, unless f and x² + y² are less
+    /// where the segment is narrowest, as they can be for a steep ray: so that by a pole or in a narrow neck
+    /// the coefficients are as small as the solid is there.
     #[inline(always)]
     pub fn new(path: &'a Path, segment: &'a Segment, index: usize, [from, to]: [f32; 2]) -> Option<Self> {
         if path.square > segment.reach {
             return None;
         }
-        let within = |t: f32| lesser(to, greater(from, t));
-        let mut origin = within(path.nearest);
-        let (mut square, mut pull) = path.around(origin);
+        let mut origin = path.closest(from, to);
+        let square = path.around(origin).0;
         if square > segment.reach {
             return None;
         }
-        let mut here = segment.place(path.height(origin));
-        let narrow = within(path.plane(segment.narrowest));
-        let (there_square, there_pull) = path.around(narrow);
-        if there_square - path.square < here.f {
-            let there = segment.place(path.height(narrow));
-            if there.f + (there_square - path.square) < here.f {
-                (origin, here, square, pull) = (narrow, there, there_square, there_pull);
+        let mut g = path.g_about(segment, origin);
+        let f = g.c[0] + square;
+        let narrow = lesser(to, greater(from, path.plane(segment.narrowest)));
+        let square = path.around(narrow).0;
+        if square - path.square < f {
+            let there = path.g_about(segment, narrow);
+            if there.c[0] + square + (square - path.square) < f {
+                (origin, g) = (narrow, there);
             }
         }
-        let kappa = path.dz * segment.per_height;
-        let [_, _, f2, f3] = segment.f;
-        let g = [
-            here.f - square,
-            here.slope * kappa - 2.0 * pull,
-            (3.0 * f3 * here.u + f2) * (kappa * kappa) - path.q,
-            f3 * (kappa * kappa * kappa),
-        ];
-        Some(Self { path, segment, index, origin, g: Cubic::new(g), from: from - origin, to: to - origin })
+        Some(Self { path, segment, index, origin, g, from: from - origin, to: to - origin })
     }
 
     /// Whether a ray that comes from outside certainly stays there.
@@ -95,29 +82,5 @@ impl<'a> Chord<'a> {
             enters,
             part: Part::Wall,
         }
-    }
-}
-
-/// The profile at a height: f and f′ at u.
-pub(super) struct Place {
-    u: f32,
-    pub f: f32,
-    slope: f32,
-}
-
-impl Segment {
-    /// Apart: three ask for it, and most rays only once.
-    #[inline(never)]
-    pub(super) fn place(&self, z: f32) -> Place {
-        let u = self.parameter(z);
-        let (f, slope) = self.at(u);
-        Place { u, f, slope }
-    }
-
-    /// The profile's parameter at a height of the frame, held to the segment.
-    #[inline(always)]
-    fn parameter(&self, z: f32) -> f32 {
-        let u = (z - self.low) * self.per_height;
-        lesser(1.0, greater(0.0, u))
     }
 }

@@ -1,11 +1,9 @@
-use super::chord::Chord;
-use super::{Frame, Segment, View, is_beyond};
-use crate::hit::Hit;
-use crate::math::Math;
+use super::Frame;
+use super::segment::Segment;
+use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
 use crate::ray::Ray;
-use crate::solve::Solver;
-use core::ops::ControlFlow;
+use crate::vector::{F32x3, dot, vector};
 
 /// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what
 /// follows has the size of the solid however far away the ray comes from. x is scaled by √k: there every
@@ -15,42 +13,80 @@ pub(super) struct Path {
     pub z: f32,
     pub dz: f32,
     /// Infinite for a horizontal path.
-    per_dz: f32,
+    pub per_dz: f32,
     /// dx² + dy².
     pub q: f32,
     /// The t at which the path is nearest to the axis, and the square of the distance there.
     pub nearest: f32,
     pub square: f32,
     /// Where the path's origin lies on the ray, in the path's t.
-    shift: f32,
+    pub shift: f32,
     /// A path's t (from the ray's origin) is a distance along the ray, in units of its own direction, times
     /// this.
-    unit: f32,
+    pub unit: f32,
 }
 
 impl Path {
+    /// The path of a ray of object space.
     #[inline(always)]
-    fn new(frame: &Frame, ray: &Ray) -> Self {
+    pub fn new(frame: &Frame, ray: &Ray) -> Self {
         let (o, d) = (ray.origin, ray.direction);
-        let (x, y, z) = (o.x * frame.scale, o.y * frame.scale, (o.z - frame.middle) * frame.scale);
-        let shift = -(x * d.x + y * d.y + z * d.z) / (d.x * d.x + d.y * d.y + d.z * d.z);
-        let (x, y, z) = ((x + shift * d.x) * frame.root_squash, y + shift * d.y, z + shift * d.z);
-        let (dx, dy) = (d.x * frame.root_squash, d.y);
-        let q = dx * dx + dy * dy;
+        let o = vector([o.x * frame.scale, o.y * frame.scale, (o.z - frame.middle) * frame.scale]);
+        let shift = -dot(o, d) / dot(d, d);
+        let squashed = |v: F32x3| vector([v.x * frame.root_squash, v.y, v.z]);
+        Self::about(squashed(o + d * shift), squashed(d), shift, frame.scale * ray.unit)
+    }
+
+    /// The path along `o + t·d`, in the frame, x scaled by √k.
+    #[inline(always)]
+    pub fn about(o: F32x3, d: F32x3, shift: f32, unit: f32) -> Self {
+        let q = flat(d, d);
         // Parallel to the axis, it is as near everywhere.
-        let nearest = if q > f32::MIN_POSITIVE { -(x * dx + y * dy) / q } else { 0.0 };
-        let (ax, ay) = (x + nearest * dx, y + nearest * dy);
-        Self {
-            z,
-            dz: d.z,
-            // −0 + 0 = +0: a horizontal path counts as rising.
-            per_dz: 1.0 / (d.z + 0.0),
-            q,
-            nearest,
-            square: ax * ax + ay * ay,
-            shift,
-            unit: frame.scale * ray.unit,
-        }
+        let nearest = if q > f32::MIN_POSITIVE { -flat(o, d) / q } else { 0.0 };
+        let (x, y) = (o.x + nearest * d.x, o.y + nearest * d.y);
+        // −0 + 0 = +0: a horizontal path counts as rising.
+        let per_dz = 1.0 / (d.z + 0.0);
+        Self { z: o.z, dz: d.z, per_dz, q, nearest, square: x * x + y * y, shift, unit }
+    }
+
+    /// Whether it rises, or runs level.
+    #[inline(always)]
+    pub fn rises(&self) -> bool {
+        self.per_dz > 0.0
+    }
+
+    /// From where to where it is between two heights.
+    #[inline(always)]
+    pub fn slab(&self, low: f32, high: f32) -> (f32, f32) {
+        let (low, high) = (self.plane(low), self.plane(high));
+        if self.rises() { (low, high) } else { (high, low) }
+    }
+
+    /// Of the points between two, the one nearest to the axis.
+    #[inline(always)]
+    pub fn closest(&self, from: f32, to: f32) -> f32 {
+        lesser(to, greater(from, self.nearest))
+    }
+
+    /// g about a point of the path in a segment's slab, by Taylor's formula: over the distance s from there, a
+    /// from where the path is nearest to the axis,
+    ///
+    /// `g = f(u) − (x² + y²) + s·(f′·κ − 2·q·a) + s²·(f″/2·κ² − q) + s³·f₃·κ³`, κ = du/ds = dz/h.
+    ///
+    /// No division, whatever the slope; a level path has κ = 0. Apart: it is asked for in many places.
+    #[inline(never)]
+    pub fn g_about(&self, segment: &Segment, t: f32) -> Cubic {
+        let u = segment.parameter(self.height(t));
+        let (f, slope) = segment.at(u);
+        let (square, pull) = self.around(t);
+        let kappa = self.dz * segment.per_height;
+        let [_, _, f2, f3] = segment.f;
+        Cubic::new([
+            f - square,
+            slope * kappa - 2.0 * pull,
+            (3.0 * f3 * u + f2) * (kappa * kappa) - self.q,
+            f3 * (kappa * kappa * kappa),
+        ])
     }
 
     /// The square of the distance from the axis, and half its derivative.
@@ -79,112 +115,8 @@ impl Path {
     }
 }
 
-/// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
-/// until told to stop. With `SIGNS` one that must be there is reported unfound, anywhere on its chord.
-///
-/// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one)
-/// has an infinite t, or NaN, which `lesser` and `greater` pass over: neither ray is a special case.
+/// ⟨a, b⟩ without z.
 #[inline(always)]
-pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
-    lathe: View<'_>,
-    ray: &Ray,
-    t_min: f32,
-    mut meet: impl FnMut(Hit) -> ControlFlow<B>,
-) -> Option<B> {
-    let View { frame, segments } = lathe;
-    let path = &Path::new(frame, ray);
-    if path.square > frame.reach {
-        return None;
-    }
-    let half = S::Math::sqrt((frame.reach - path.square) / path.q);
-    let up = path.per_dz > 0.0;
-    let (low, high) = (path.plane(frame.low), path.plane(frame.high));
-    let (bottom, top) = if up { (low, high) } else { (high, low) };
-    let first = t_min * path.unit - path.shift;
-    let inner = greater(first, bottom);
-    let enter = greater(inner, path.nearest - half);
-    let leave = lesser(path.nearest + half, top);
-    // Not finite: the ray lies along an endless sheet, and g is the same all along it.
-    if !(enter < leave && (leave - enter).is_finite()) {
-        return None;
-    }
-
-    let step = if up { 1 } else { usize::MAX };
-    let mut index = entered(path, segments, enter, step);
-
-    // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here,
-    // has g to tell.
-    let g = |segment: &Segment| segment.place(path.height(enter)).f - path.around(enter).0;
-    let mut inside = !(enter > inner) && segments.get(index).is_some_and(|segment| g(segment) > 0.0);
-    if inside
-        && bottom > first
-        && let Some(hit) = cap(frame, path, enter, t_min, up, true)
-        && let ControlFlow::Break(found) = meet(hit)
-    {
-        return Some(found);
-    }
-    let mut at = enter;
-    while let Some(segment) = segments.get(index) {
-        let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
-        match Chord::new(path, segment, index, [at, end]) {
-            None => inside = false,
-            Some(chord) if !inside && chord.is_clear() => {}
-            Some(chord) => {
-                if SIGNS && at > first && chord.crosses::<S>(inside) && path.distance(end) < f32::INFINITY {
-                    return meet(chord.hit(0.0, !inside)).break_value();
-                }
-                let mut from = chord.from;
-                for _ in 0..3 {
-                    let Some(s) = chord.crossing::<S>(from, inside) else { break };
-                    inside = !inside;
-                    let hit = chord.hit(s, inside);
-                    if is_beyond(hit.t, t_min)
-                        && let ControlFlow::Break(found) = meet(hit)
-                    {
-                        return Some(found);
-                    }
-                    from = s;
-                }
-            }
-        }
-        at = end;
-        if !(end < leave) {
-            break;
-        }
-        index = index.wrapping_add(step);
-    }
-    if inside
-        && leave == top
-        && let Some(hit) = cap(frame, path, leave, t_min, !up, false)
-        && let ControlFlow::Break(found) = meet(hit)
-    {
-        return Some(found);
-    }
-    None
-}
-
-/// The number of the segment in whose slab the path is at t, by steps of half of what remains. In the path's
-/// order numbers differ by `step`, 1 or −1.
-#[inline(always)]
-fn entered(path: &Path, segments: &[Segment], t: f32, step: usize) -> usize {
-    let mut index = if step == 1 { 0 } else { segments.len().wrapping_sub(1) };
-    let mut stride = segments.len();
-    while stride > 1 {
-        stride -= stride / 2;
-        let ahead = index.wrapping_add(step.wrapping_mul(stride));
-        if let Some(segment) = segments.get(ahead)
-            && path.plane(if step == 1 { segment.low } else { segment.high }) <= t
-        {
-            index = ahead;
-        }
-    }
-    index
-}
-
-/// The hit in the plane of an end, if part of the surface is there, beyond `t_min`.
-#[inline(never)]
-fn cap(frame: &Frame, path: &Path, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
-    let (segment, u, part) = if low { (0, 0.0, frame.base) } else { (frame.len - 1, 1.0, frame.top) };
-    let hit = Hit { t: path.distance(t), segment, u, enters, part: part? };
-    is_beyond(hit.t, t_min).then_some(hit)
+pub(super) fn flat(a: F32x3, b: F32x3) -> f32 {
+    a.x * b.x + a.y * b.y
 }

@@ -1,3 +1,4 @@
+use crate::math::order::{greater, lesser};
 use crate::profile::Span;
 
 /// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn); its size is
@@ -5,7 +6,7 @@ use crate::profile::Span;
 ///
 /// ```
 /// use embedded_lathe::Segment;
-/// assert_eq!(core::mem::size_of::<Segment>(), 52);
+/// assert_eq!(core::mem::size_of::<Segment>(), 76);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -23,6 +24,34 @@ pub struct Segment {
     /// The square of the radius of a cylinder around the segment, wide enough that a point on it is outside
     /// whatever rounding does.
     pub(super) reach: f32,
+    /// Bounds over this segment and all below it, and over this and all above.
+    pub(super) below: Cover,
+    pub(super) above: Cover,
+}
+
+/// What a part of the profile can do to a ray that passes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct Cover {
+    /// The square of the radius of a cylinder around it.
+    pub reach: f32,
+    /// Half the largest second derivative of the squared radius by height, or zero.
+    pub bulge: f32,
+    /// The sum of all jumps upwards of the first, at joins.
+    pub kinks: f32,
+}
+
+impl Cover {
+    pub const NONE: Self = Self { reach: 0.0, bulge: 0.0, kinks: 0.0 };
+
+    /// With one segment more, beyond a jump.
+    const fn and(self, segment: &Segment, jump: f32) -> Self {
+        Self {
+            reach: self.reach.max(segment.reach),
+            bulge: self.bulge.max(segment.bulge()),
+            kinks: self.kinks + jump.max(0.0),
+        }
+    }
 }
 
 /// A squared radius widened by 2⁻⁹, a thousand times the rounding of anything compared with it.
@@ -37,8 +66,17 @@ pub(super) const fn power_of_two_for(square: f32) -> f32 {
 }
 
 impl Segment {
-    pub(super) const EMPTY: Self =
-        Self { low: 0.0, high: 0.0, per_height: 0.0, f: [0.0; 4], b: [0.0; 4], narrowest: 0.0, reach: 0.0 };
+    pub(super) const EMPTY: Self = Self {
+        low: 0.0,
+        high: 0.0,
+        per_height: 0.0,
+        f: [0.0; 4],
+        b: [0.0; 4],
+        narrowest: 0.0,
+        reach: 0.0,
+        below: Cover::NONE,
+        above: Cover::NONE,
+    };
 
     pub(super) const fn new(span: &Span, middle: f32, scale: f32) -> Self {
         let square = scale * scale;
@@ -53,7 +91,60 @@ impl Segment {
             b,
             narrowest: low + span.narrowest * (high - low),
             reach: widened(span.largest * square),
+            below: Cover::NONE,
+            above: Cover::NONE,
         }
+    }
+
+    /// Half the largest second derivative by height: the second derivative of a cubic is largest at an end.
+    pub(super) const fn bulge(&self) -> f32 {
+        let [_, _, c2, c3] = self.f;
+        c2.max(c2 + 3.0 * c3) * self.per_height * self.per_height
+    }
+
+    /// Half the largest second derivative by height, whatever its sign.
+    pub(super) const fn curvature(&self) -> f32 {
+        let [_, _, c2, c3] = self.f;
+        c2.abs().max((c2 + 3.0 * c3).abs()) * self.per_height * self.per_height
+    }
+
+    /// A bound on the first derivative by height, whatever its sign.
+    pub(super) const fn steepest(&self) -> f32 {
+        let [b0, b1, b2, b3] = self.b;
+        3.0 * (b1 - b0).abs().max((b2 - b1).abs()).max((b3 - b2).abs()) * self.per_height
+    }
+
+    /// By how much the first derivative by height jumps upwards where this segment ends and the next begins.
+    const fn jump(&self, next: &Self) -> f32 {
+        3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height
+    }
+
+    /// Finds the covers of each of the first `len` segments.
+    pub(super) const fn cover(segments: &mut [Self], len: usize) {
+        let mut i = 0;
+        while i < len {
+            let (below, jump) = match i {
+                0 => (Cover::NONE, 0.0),
+                _ => (segments[i - 1].below, segments[i - 1].jump(&segments[i])),
+            };
+            segments[i].below = below.and(&segments[i], jump);
+            i += 1;
+        }
+        while i > 0 {
+            i -= 1;
+            let (above, jump) = match i + 1 < len {
+                true => (segments[i + 1].above, segments[i].jump(&segments[i + 1])),
+                false => (Cover::NONE, 0.0),
+            };
+            segments[i].above = above.and(&segments[i], jump);
+        }
+    }
+
+    /// The profile's parameter at a height of the frame, held to the segment.
+    #[inline(always)]
+    pub(super) fn parameter(&self, z: f32) -> f32 {
+        let u = (z - self.low) * self.per_height;
+        lesser(1.0, greater(0.0, u))
     }
 
     /// The squared radius and its derivative by u, in Bernstein form, 0 ≤ u ≤ 1: exact to a few units of 2⁻²⁴
@@ -65,5 +156,16 @@ impl Segment {
         let (c0, c1, c2) = (b0 * v + b1 * u, b1 * v + b2 * u, b2 * v + b3 * u);
         let (d0, d1) = (c0 * v + c1 * u, c1 * v + c2 * u);
         (d0 * v + d1 * u, 3.0 * (d1 - d0))
+    }
+
+    /// The squared radius and its first two derivatives by u, by Horner's rule: also a little beyond the
+    /// segment's ends.
+    #[inline(always)]
+    pub(super) fn slopes(&self, u: f32) -> (f32, f32, f32) {
+        let [c0, c1, c2, c3] = self.f;
+        let p2 = c3 * u + c2;
+        let p1 = p2 * u + c1;
+        let q2 = c3 * u + p2;
+        (p1 * u + c0, q2 * u + p1, 2.0 * (c3 * u + q2))
     }
 }

@@ -1,0 +1,116 @@
+use super::chord::Chord;
+use super::path::Path;
+use super::{Frame, Segment, View, is_beyond};
+use crate::hit::Hit;
+use crate::math::Math;
+use crate::math::order::{greater, lesser};
+use crate::solve::Solver;
+use core::ops::ControlFlow;
+
+/// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
+/// until told to stop. With `SIGNS` one that must be there is reported unfound, anywhere on its chord.
+///
+/// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one)
+/// has an infinite t, or NaN, which `lesser` and `greater` pass over: neither ray is a special case.
+#[inline(always)]
+pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
+    lathe: View<'_>,
+    path: &Path,
+    t_min: f32,
+    mut meet: impl FnMut(Hit) -> ControlFlow<B>,
+) -> Option<B> {
+    let View { frame, segments } = lathe;
+    if path.square > frame.reach {
+        return None;
+    }
+    let half = S::Math::sqrt((frame.reach - path.square) / path.q);
+    let up = path.rises();
+    let (bottom, top) = path.slab(frame.low, frame.high);
+    let first = t_min * path.unit - path.shift;
+    let inner = greater(first, bottom);
+    let enter = greater(inner, path.nearest - half);
+    let leave = lesser(path.nearest + half, top);
+    // Not finite: the ray lies along an endless sheet, and g is the same all along it.
+    if !(enter < leave && (leave - enter).is_finite()) {
+        return None;
+    }
+
+    let step = if up { 1 } else { usize::MAX };
+    let mut index = entered(path, segments, enter, step);
+
+    // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here,
+    // has g to tell.
+    let g = |segment: &Segment| path.g_about(segment, enter).c[0];
+    let mut inside = !(enter > inner) && segments.get(index).is_some_and(|segment| g(segment) > 0.0);
+    if inside
+        && bottom > first
+        && let Some(hit) = cap(frame, path, enter, t_min, up, true)
+        && let ControlFlow::Break(found) = meet(hit)
+    {
+        return Some(found);
+    }
+    let mut at = enter;
+    while let Some(segment) = segments.get(index) {
+        let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
+        match Chord::new(path, segment, index, [at, end]) {
+            None => inside = false,
+            Some(chord) if !inside && chord.is_clear() => {}
+            Some(chord) => {
+                if SIGNS && at > first && chord.crosses::<S>(inside) && path.distance(end) < f32::INFINITY {
+                    return meet(chord.hit(0.0, !inside)).break_value();
+                }
+                let mut from = chord.from;
+                for _ in 0..3 {
+                    let Some(s) = chord.crossing::<S>(from, inside) else { break };
+                    inside = !inside;
+                    let hit = chord.hit(s, inside);
+                    if is_beyond(hit.t, t_min)
+                        && let ControlFlow::Break(found) = meet(hit)
+                    {
+                        return Some(found);
+                    }
+                    from = s;
+                }
+            }
+        }
+        at = end;
+        if !(end < leave) {
+            break;
+        }
+        index = index.wrapping_add(step);
+    }
+    if inside
+        && leave == top
+        && let Some(hit) = cap(frame, path, leave, t_min, !up, false)
+        && let ControlFlow::Break(found) = meet(hit)
+    {
+        return Some(found);
+    }
+    None
+}
+
+/// The number of the segment in whose slab the path is at t, by steps of half of what remains. In the path's
+/// order numbers differ by `step`, 1 or −1.
+#[inline(always)]
+fn entered(path: &Path, segments: &[Segment], t: f32, step: usize) -> usize {
+    let mut index = if step == 1 { 0 } else { segments.len().wrapping_sub(1) };
+    let mut stride = segments.len();
+    while stride > 1 {
+        stride -= stride / 2;
+        let ahead = index.wrapping_add(step.wrapping_mul(stride));
+        if let Some(segment) = segments.get(ahead)
+            && path.plane(if step == 1 { segment.low } else { segment.high }) <= t
+        {
+            index = ahead;
+        }
+    }
+    index
+}
+
+/// The hit in the plane of an end, if part of the surface is there, beyond `t_min`.
+#[inline(never)]
+fn cap(frame: &Frame, path: &Path, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
+    let (segment, u, part) = if low { (0, 0.0, frame.base) } else { (frame.len - 1, 1.0, frame.top) };
+    let hit = Hit { t: path.distance(t), segment, u, enters, part: part? };
+    is_beyond(hit.t, t_min).then_some(hit)
+}

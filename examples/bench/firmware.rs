@@ -1,10 +1,10 @@
 //! The program: what is measured, a CSV line each, in the order of m4cycles' regions.
 
-use crate::{bare::exit, clock, frames, rays, region::measure, report::line, solvers};
+use crate::{bare::exit, clock, frames, rays, region::measure, report, solvers};
 use core::arch::asm;
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
-use cortex_m_semihosting::{debug::EXIT_SUCCESS, hprintln};
+use cortex_m_semihosting::debug::EXIT_SUCCESS;
 
 core::arch::global_asm!(include_str!("memory.s"));
 
@@ -14,9 +14,9 @@ fn main() -> ! {
         clock::start(core.SYST);
     }
 
-    hprintln!("scene,pixels,hits,instructions,per_pixel,per_hit_pixel");
-    line("nothing", 1, 1, measure(|| ()).1);
-    line("loop of 2001", 1, 1, measure(loop_of_2001).1);
+    report::head();
+    report::line("nothing", 1, 1, measure(|| ()).1);
+    report::line("loop of 2001", 1, 1, measure(loop_of_2001).1);
     frames::measured();
     rays::measured();
     solvers::measured();

@@ -1,11 +1,10 @@
 //! Whole frames of the reference scenes.
 
-use crate::{region::measure, report::line, scenes, sink::Sink, stack};
+use crate::{region::measure, report::line, scenes, sink::Sink};
 use core::hint::black_box;
-use cortex_m_semihosting::hprintln;
 use embedded_lathe::Scene;
 
-#[cfg(target_abi = "eabihf")]
+#[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
 mod display {
     pub use embedded_graphics::pixelcolor::Rgb565 as Color;
     pub const BLANK: Color = Color::new(0, 0, 0);
@@ -14,7 +13,7 @@ mod display {
 }
 
 /// The OLED demo's: without hardware for floats a frame takes ten times as long.
-#[cfg(not(target_abi = "eabihf"))]
+#[cfg(all(not(target_abi = "eabihf"), target_os = "none"))]
 mod display {
     pub use embedded_graphics::pixelcolor::Gray4 as Color;
     pub const BLANK: Color = Color::new(0);
@@ -51,11 +50,14 @@ pub fn measured() {
 }
 
 /// How much stack they take below their caller's.
+#[cfg(target_os = "none")]
 pub fn stacks() {
+    use crate::stack::depth;
+
     let mut row = BLANK;
     for (name, scene) in SCENES {
-        let (rows, draw) = (stack::depth(|| rows(scene, &mut row)), stack::depth(|| draw(scene)));
-        hprintln!("# {}: {} bytes of stack by rows, {} drawn", name, rows, draw);
+        let (rows, draw) = (depth(|| rows(scene, &mut row)), depth(|| draw(scene)));
+        crate::report::println!("# {}: {} bytes of stack by rows, {} drawn", name, rows, draw);
     }
 }
 

@@ -1,0 +1,72 @@
+//! The plane of a row's rays, and what the crate answers in it.
+//!
+//! The camera is upright and looks along y: the plane holds the x axis's direction and the eye. A point of it is
+//! its distance from the eye as seen from the side, and its x.
+
+use crate::scenes::{VASE, VASE_SCENE};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_lathe::{F32x3, Ray, Vector};
+
+pub type Point = [f32; 2];
+
+/// The picture is as many pixels wide and high: few, so that each can be seen.
+pub const PIXELS: u32 = 60;
+
+/// Through the vase's shoulder.
+pub const ROW: u32 = 29;
+
+/// Rays that find the silhouettes, a pixel; odd, so that a row of them lies in the plane.
+const FINE: u32 = 201;
+
+fn flat(p: F32x3) -> Point {
+    let eye = VASE_SCENE.camera.ray(0, 0, 1, 1).origin();
+    [(p.y - eye.y).hypot(p.z - eye.z), p.x]
+}
+
+/// Of pixels, each cut into `cuts` by `cuts`, the i-th in the row's middle.
+fn ray(i: u32, cuts: u32) -> Ray {
+    VASE_SCENE.camera.ray(i, ROW * cuts + cuts / 2, PIXELS * cuts, PIXELS * cuts)
+}
+
+fn root(ray: &Ray) -> Option<Point> {
+    VASE.nearest(ray, 0.0).map(|hit| flat(ray.at(hit.t)))
+}
+
+/// The nearest crossing that pixel i sees.
+pub fn seen(i: u32) -> Option<Point> {
+    root(&ray(i, 1))
+}
+
+/// A point of the i-th ray.
+pub fn along(i: u32, t: f32) -> Point {
+    flat(ray(i, 1).at(t))
+}
+
+/// Where the first and the last ray that meet anything do.
+pub fn silhouettes() -> [Point; 2] {
+    let find = |mut all: Box<dyn Iterator<Item = u32>>| all.find_map(|i| root(&ray(i, FINE)));
+    let all = || 0..PIXELS * FINE;
+    [find(Box::new(all())), find(Box::new(all().rev()))].map(|point| point.expect("the row meets the vase"))
+}
+
+/// The section: where rays from its middle leave it.
+pub fn outline() -> Vec<Point> {
+    let centre = ray(PIXELS * FINE / 2, FINE);
+    let hits = VASE.hits::<14>(&centre, 0.0);
+    let [front, back] = [hits.first(), hits.last()].map(|hit| centre.at(hit.expect("it is met").t));
+    let (middle, depth) = ((front + back) * 0.5, back - front);
+    let leave = |step: u16| {
+        let (sin, cos) = f32::from(step).to_radians().sin_cos();
+        let length = depth.dot(depth).sqrt();
+        let direction = [sin, depth.y / length * cos, depth.z / length * cos];
+        root(&Ray::new(middle.to_array(), direction).ok()?)
+    };
+    (0..360).filter_map(leave).collect()
+}
+
+/// The row as it is drawn.
+pub fn colours() -> [Rgb888; PIXELS as usize] {
+    let mut row = [Rgb888::default(); PIXELS as usize];
+    VASE_SCENE.picture(PIXELS, PIXELS).row(ROW, &mut row);
+    row
+}

@@ -14,6 +14,10 @@
 //!
 //! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
+//! (`walk.rs`.)
+//!
+//! The rays of a row of pixels are followed together: `sweep.rs`, and what certifies it, `first.rs` and
+//! `clear.rs`.
 
 mod chord;
 mod clear;

@@ -38,13 +38,14 @@
 //! Each stage is a file, and names only files to its left.
 //!
 //! ```text
-//! math → vector → cubic → solve → profile → ray → hit → lathe → surface → color → light → camera → pose → solid → scene → rows → draw
+//! math → vector → cubic → solve → profile → ray → rays → hit → lathe → surface → color → light → camera
+//!      → pose → solid → scene → rows → draw
 //! ```
 //!
 //! | stage | from | to |
 //! |---|---|---|
 //! | [`Profile`] | numbers | an outline that is one, or a [`ProfileError`] that names the culprit |
-//! | [`Lathe`] | a profile | segments with bounds, in flash; [`Ray`] → [`Hit`] |
+//! | [`Lathe`] | a profile | segments with bounds, in flash; [`Ray`] → [`Hit`], one by one or along a row |
 //! | [`Cubic`], [`solve`] | a cubic, an interval | the first root, or all of them |
 //! | [`Surface`] | a hit | its point and normal, for what is seen |
 //! | [`Solid`], [`Pose`], [`Light`], [`Camera`], [`Background`] | | what a [`Scene`] is made of |

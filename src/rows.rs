@@ -1,9 +1,9 @@
 //! From a scene to rows of pixels: as many as the caller asks for, where the caller wants them. Nothing else
 //! is kept.
 
+use crate::camera::Row;
 use crate::color::{Paint, Rgb};
 use crate::lathe::Look;
-use crate::rays::Row;
 use crate::scene::Scene;
 use crate::solid::Solid;
 use core::num::NonZeroU32;
@@ -95,18 +95,18 @@ impl Picture<'_> {
     #[inline(never)]
     fn solid<C: Paint>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depths: &mut [f32]) {
         let end = x + run.len() as u32;
-        let mut view = solid.seen_from(row, &self.scene.light, x, end);
+        let mut along = solid.along(row, &self.scene.light, x, end);
         let mut i = x;
         while i < end {
-            let seen = match view.follow(i) {
+            let seen = match along.follow(i) {
                 Some(seen) => seen,
-                None => match view.look(i) {
+                None => match along.look(i) {
                     Look::Follow => continue,
                     Look::Clear(next) => {
                         i = next;
                         continue;
                     }
-                    Look::Unknown => match view.alone(i) {
+                    Look::Unknown => match along.alone(i) {
                         Some(seen) => seen,
                         None => {
                             i += 1;
@@ -125,7 +125,7 @@ impl Picture<'_> {
                 None => true,
             };
             if is_nearest && let Some(pixel) = run.get_mut(at) {
-                *pixel = C::paint(view.colour(i, &seen), i, row.y);
+                *pixel = C::paint(along.colour(i, &seen), i, row.y);
             }
             i += 1;
         }

@@ -1,5 +1,6 @@
 //! A lathe in the world, with a colour.
 
+use crate::camera::Row;
 use crate::color::Rgb;
 use crate::hit::Hit;
 use crate::lathe::{Lathe, Look, Seen, Sweep};
@@ -7,7 +8,7 @@ use crate::light::Light;
 use crate::math::{Math, Native};
 use crate::pose::Pose;
 use crate::ray::Ray;
-use crate::rays::{Rays, Row};
+use crate::rays::Rays;
 use crate::solve::DefaultSolver;
 use crate::surface::{Surface, unit};
 use crate::vector::Vector;
@@ -73,7 +74,7 @@ impl<'a> Solid<'a> {
 
     /// The solid as the pixels from `start` to `end` of a row see it.
     #[inline(always)]
-    pub(crate) fn seen_from<'s>(&'s self, row: &'s Row, light: &Light, start: u32, end: u32) -> View<'s> {
+    pub(crate) fn along<'s>(&'s self, row: &'s Row, light: &Light, start: u32, end: u32) -> SolidRow<'s> {
         let Pose { position, rotation, scale } = &self.pose;
         let (rays, per_scale) = (row.rays(), 1.0 / scale);
         let own = Rays {
@@ -82,7 +83,7 @@ impl<'a> Solid<'a> {
             direction: rotation.back(rays.direction),
             direction_step: rotation.back(rays.direction_step),
         };
-        View {
+        SolidRow {
             solid: self,
             row,
             light: Light { towards: rotation.back(light.towards), ..*light },
@@ -98,15 +99,15 @@ impl defmt::Format for Solid<'_> {
     }
 }
 
-/// A solid as a row of pixels sees it, with the light in the solid's own space.
-pub(crate) struct View<'a> {
+/// A solid along a row of pixels, with the light in the solid's own space.
+pub(crate) struct SolidRow<'a> {
     solid: &'a Solid<'a>,
     row: &'a Row<'a>,
     light: Light,
     sweep: Sweep<'a>,
 }
 
-impl View<'_> {
+impl SolidRow<'_> {
     /// What the i-th ray sees, found from what the one before it saw. `None` is no answer: `look`.
     #[inline(always)]
     pub fn follow(&mut self, i: u32) -> Option<Seen> {

@@ -41,7 +41,7 @@ use crate::math::order::greater;
 use crate::math::{Math, Native};
 use heapless::Vec;
 use pieces::crossing;
-use wide::{is_tame, stretched, wide};
+use wide::{is_tame, local, wide};
 
 /// The relative change of each coefficient, in units of 2⁻²⁴, within which every answer is exact.
 pub const BACKWARD_ERROR: f32 = 4.0;
@@ -108,15 +108,15 @@ impl Cubic {
             return roots;
         }
         let tame = is_tame(self, lo, hi);
-        let scaled = if tame { *self } else { stretched(self, 0) };
         let mut from = greater(f32::MIN, lo);
-        let start = scaled.at(from);
+        let (scaled, at) = if tame { (*self, from) } else { local(self, from) };
+        let start = scaled.at(at);
         let mut positive = start > 0.0;
         if start == 0.0 {
             let _ = roots.push(from);
             // The sign beyond is that of the first derivative that has one.
             let [_, _, c2, c3] = scaled.c;
-            let signs = [scaled.slope(from), c2 + 3.0 * c3 * from, c3];
+            let signs = [scaled.slope(at), c2 + 3.0 * c3 * at, c3];
             positive = signs.iter().find(|&&sign| sign != 0.0).is_some_and(|&sign| sign > 0.0);
         }
         while !roots.is_full() && (roots.is_empty() || from < hi) {

@@ -4,7 +4,10 @@ use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
 
 /// How far an interval may reach to be solved as it is.
-pub(super) const TAME: f32 = (1_u64 << 30) as f32;
+const TAME: f32 = (1_u64 << 30) as f32;
+
+/// From where on the unit is 2¹²⁰. (`wide`.)
+const FAR: f32 = TAME * TAME * TAME;
 
 /// The largest coefficient may be from 2⁻²⁰ to 2²⁰ to be solved as it is.
 const RANGE: u32 = 20 << 23;
@@ -32,7 +35,6 @@ fn bits(x: f32) -> u32 {
 #[cold]
 #[inline(never)]
 pub(super) fn wide<S: Solver>(g: &Cubic, lo: f32, hi: f32, mut positive: Option<bool>) -> Option<f32> {
-    const FAR: f32 = TAME * TAME * TAME;
     const PARTS: [(f32, f32, i32); 5] =
         [(f32::MIN, -FAR, 120), (-FAR, -TAME, 60), (-TAME, TAME, 0), (TAME, FAR, 60), (FAR, f32::MAX, 120)];
     if !(lo <= hi && g.c.iter().all(|c| c.is_finite())) {
@@ -60,9 +62,17 @@ pub(super) fn wide<S: Solver>(g: &Cubic, lo: f32, hi: f32, mut positive: Option<
     None
 }
 
+/// The cubic in the unit of the part that u lies in, and u in it.
+#[cold]
+#[inline(never)]
+pub(super) fn local(g: &Cubic, u: f32) -> (Cubic, f32) {
+    let unit = 60 * (i32::from(u.abs() > TAME) + i32::from(u.abs() > FAR));
+    (stretched(g, unit), u * power(-unit))
+}
+
 /// The cubic over another unit, 2ᵘⁿⁱᵗ, scaled by a power of two so that its largest coefficient is in [1, 2).
 #[inline(never)]
-pub(super) fn stretched(g: &Cubic, unit: i32) -> Cubic {
+fn stretched(g: &Cubic, unit: i32) -> Cubic {
     let units = [0, unit, 2 * unit, 3 * unit];
     let mut largest = i32::MIN;
     for (&c, n) in g.c.iter().zip(units) {

@@ -6,11 +6,11 @@ use crate::laboratory::contenders::{EVERYWHERE, HOST};
 use crate::laboratory::forms::{METHODS, turned};
 use crate::laboratory::hits::Truth as HitTruth;
 use crate::laboratory::judge::Truth;
-use embedded_lathe::Ray;
 use embedded_lathe::solve::BACKWARD_ERROR;
+use embedded_lathe::{Cubic, Ray};
 
 fn solved(c: [f32; 4], lo: f32, hi: f32) {
-    let truth = Truth::new(&c, lo, hi);
+    let truth = Truth::promised(&c, lo, hi);
     for method in EVERYWHERE.iter().chain(HOST).filter(|method| method.shipped) {
         let answer = (method.first_root)(&c, lo, hi);
         let units = truth.judge(answer.map(f64::from)).units;
@@ -19,6 +19,10 @@ fn solved(c: [f32; 4], lo: f32, hi: f32) {
             units <= f64::from(BACKWARD_ERROR),
             "{method} over {backend}: {c:?} on [{lo}, {hi}]: {answer:?}, roots {roots:?}, {units} units"
         );
+    }
+    for root in Cubic::new(c).roots(lo, hi) {
+        let units = truth.residual(root.into());
+        assert!(units <= f64::from(BACKWARD_ERROR), "{c:?} on [{lo}, {hi}]: {root}, {units} units");
     }
 }
 
@@ -50,6 +54,24 @@ fn met(knots: &[f32], ordinates: &[f32], k: f32, origin: [f32; 3], direction: [f
 #[test]
 fn powers_that_overflow() {
     solved([0.0, 5.785636e-39, 1.83671e-40, 6.162976e-33], -1.9983972e18, 1.6543612e-24);
+}
+
+/// Far out, how all roots' search starts is a question for the unit that is used there.
+#[test]
+fn a_start_in_its_own_unit() {
+    let c = [-1.1876598e38, -2.0803189e-8, -2.0803189e-8, -2.0803189e-8];
+    solved(c, -1.701448e38, -7.450581e-9);
+    assert_eq!(Cubic::new(c).roots(-1.701448e38, -7.450581e-9).len(), 1);
+}
+
+/// Drafts of the solver without a bracket failed on these: a minimum that all but touches zero; a triple root, where the slope is nothing; a root
+/// at 10⁻²⁰ reckoned from a point of inflection at 10¹³; and one at 10¹⁹ where the terms are of the size of 10⁴⁰.
+#[test]
+fn without_a_bracket() {
+    solved([2.5239446, -1.6659768, -1.144438, 0.7555574], 0.5, 1.5);
+    solved([0.0, 0.0, 0.0, -3.0], -4.0, 4.0);
+    solved([2.9802322e-8, 2879611500000.0, 0.08935399, 8.881784e-16], -0.5, 0.5);
+    solved([-1.0193732e-5, -5.9074003e-17, -114.65907, 8.695641e-18], -2.37e11, 1.456e19);
 }
 
 /// The tip of a cone is a double root of the squared radius: the surface is known there to the square root of what g is.

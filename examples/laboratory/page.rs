@@ -22,10 +22,11 @@ fn solvers() -> Text {
     let [m4f, m3, host] = files.map(costs);
     let (m4f, m3, host) = (m4f?, m3?, host?);
     let mut text =
-        "| method | over | wrong, of 10 000 | median | worst | M4F | at worst | M3 | host |\n".to_owned();
-    text.push_str("|---|---|--:|--:|--:|--:|--:|--:|--:|\n");
+        "| method | over | wrong, of 10 000 | median | worst | distance | farthest | M4F | at worst | M3 | host |\n"
+            .to_owned();
+    text.push_str("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
     for row in rows("docs/solvers.csv")?.iter().filter(|row| row[2] == "all") {
-        let [method, over, _, answers, wrong, median, _, worst] = row.as_slice() else {
+        let [method, over, _, answers, wrong, median, _, worst, distance, farthest] = row.as_slice() else {
             return Err("docs/solvers.csv".into());
         };
         let key = (method.clone(), over.clone());
@@ -36,7 +37,7 @@ fn solvers() -> Text {
         let name = if OURS.contains(&method.as_str()) { format!("**{method}**") } else { method.clone() };
         writeln!(
             text,
-            "| {name} | {over} | {share:.0} | {median} | {worst} | {m4f} | {most} | {m3} | {host} |"
+            "| {name} | {over} | {share:.0} | {median} | {worst} | {distance} | {farthest} | {m4f} | {most} | {m3} | {host} |"
         )?;
     }
     Ok(text)
@@ -77,7 +78,19 @@ const INTERSECTIONS: Columns = &[
     ("paper, textbook Cardano", &[("paper", "textbook Cardano")]),
     ("paper, the crate's solver", &[("paper", "split")]),
     ("sound form, textbook Cardano", &[("sound form", "textbook Cardano")]),
-    ("crate, both solvers", &[("crate", "split"), ("crate", "Cardano")]),
+    (
+        "crate, both solvers, all backends",
+        &[
+            ("crate", "split over native"),
+            ("crate", "split over std"),
+            ("crate", "split over libm"),
+            ("crate", "split over micromath"),
+            ("crate", "Cardano over native"),
+            ("crate", "Cardano over std"),
+            ("crate", "Cardano over libm"),
+            ("crate", "Cardano over micromath"),
+        ],
+    ),
 ];
 
 /// Wrong answers in a thousand, a line a family.
@@ -117,13 +130,16 @@ fn matrix(file: &str, columns: Columns) -> Text {
 
 fn displacements() -> Text {
     let mut text =
-        "| form | solver | rays | wrong | median | 99 % | worst |\n|---|---|--:|--:|--:|--:|--:|\n"
-            .to_owned();
+        "| form | solver | rays | wrong | median | 99 % | worst | along the ray | farthest |\n".to_owned();
+    text.push_str("|---|---|--:|--:|--:|--:|--:|--:|--:|\n");
     for row in rows("docs/intersections.csv")?.iter().filter(|row| row[2] == "all") {
-        let [form, solver, _, rays, wrong, median, p99, worst] = row.as_slice() else {
+        let [form, solver, _, rays, wrong, median, p99, worst, along, farthest] = row.as_slice() else {
             return Err("docs/intersections.csv".into());
         };
-        writeln!(text, "| {form} | {solver} | {rays} | {wrong} | {median} | {p99} | {worst} |")?;
+        writeln!(
+            text,
+            "| {form} | {solver} | {rays} | {wrong} | {median} | {p99} | {worst} | {along} | {farthest} |"
+        )?;
     }
     Ok(text)
 }

@@ -44,7 +44,7 @@ pub fn run(minutes: u64) -> Result<(), Box<dyn Error>> {
             for index in 0..ROUND {
                 let case = trouble.case(seed, index);
                 let answer = forms::shipped::<DefaultSolver>(&forms::turned(case.outline), &case.cast);
-                let units = hits::Truth::new(&case).judge(answer);
+                let units = hits::Truth::new(&case).judge_unsure(answer, trouble.doubt);
                 worst.1 = worst.1.max(units);
                 questions += 1;
                 if !(units <= PROMISE) {

@@ -52,7 +52,8 @@ fn solvers() -> Table {
             let singles = EVERYWHERE.iter().chain(HOST).map(|m| (m.first_root)(&c, lo, hi).map(f64::from));
             let doubles = PEERS.iter().map(|m| (m.first_root)(c.map(f64::from), lo.into(), hi.into()));
             for (row, answer) in table.rows.iter_mut().zip(singles.chain(doubles)) {
-                row.2[column].add(truth.judge(answer).units);
+                let verdict = truth.judge(answer);
+                row.2[column].add(verdict.units, verdict.distance);
             }
             bar.inc(1);
         }
@@ -71,7 +72,8 @@ fn intersections() -> Table {
             let case = trouble.case(SEED, index);
             let truth = hits::Truth::new(&case);
             for (row, (_, _, nearest)) in table.rows.iter_mut().zip(forms::METHODS) {
-                row.2[column].add(truth.judge(nearest(case.outline, &case.cast)));
+                let answer = nearest(case.outline, &case.cast);
+                row.2[column].add(truth.judge(answer), truth.distance(answer));
             }
             bar.inc(1);
         }
@@ -81,7 +83,7 @@ fn intersections() -> Table {
 }
 
 fn csv(table: &Table, column: &str, wrong: f64) -> Result<String, std::fmt::Error> {
-    let mut csv = format!("method,backend,{column},answers,wrong,median,p99,worst\n");
+    let mut csv = format!("method,backend,{column},answers,wrong,median,p99,worst,distance,farthest\n");
     for (method, backend, tallies) in &table.rows {
         let mut all = Tally::default();
         tallies.iter().for_each(|tally| all.merge(tally));
@@ -89,7 +91,11 @@ fn csv(table: &Table, column: &str, wrong: f64) -> Result<String, std::fmt::Erro
         for (name, tally) in names.zip(tallies.iter().chain([&all])) {
             let (count, beyond) = (tally.count(), tally.beyond(wrong));
             let [median, p99, worst] = [tally.median(), tally.quantile(0.99), tally.worst()].map(figure);
-            writeln!(csv, "{method},{backend},\"{name}\",{count},{beyond},{median},{p99},{worst}")?;
+            let [distance, farthest] = tally.distances().map(figure);
+            writeln!(
+                csv,
+                "{method},{backend},\"{name}\",{count},{beyond},{median},{p99},{worst},{distance},{farthest}"
+            )?;
         }
     }
     Ok(csv)

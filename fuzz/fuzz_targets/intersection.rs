@@ -1,4 +1,5 @@
-//! Any ray at any valid open profile: the nearest hit is within the promised displacement of the exact truth.
+//! Any ray at any valid open profile: the nearest hit is within four times the promised displacement of the exact truth, if the squared radius
+//! may be off by as many units of the largest ordinate: near the axis that is a large displacement (tests/stability/touching.rs).
 #![no_main]
 
 #[path = "../../tests/cases/mod.rs"]
@@ -16,6 +17,8 @@ use embedded_lathe::{
 };
 use laboratory::{forms, hits::Truth};
 use libfuzzer_sys::fuzz_target;
+
+const UNITS: f64 = 4.0 * laboratory::PROMISE;
 
 /// Numbers of the order of one, so that the fuzzer need not look for them: the families cover scale and distance.
 #[derive(Arbitrary, Debug)]
@@ -62,14 +65,16 @@ fuzz_target!(|input: Input| {
     let distance = origin.iter().map(|o| f64::from(*o).powi(2)).sum::<f64>().sqrt();
     let unit = (-24f64).exp2() * (outline.size() + distance);
     let truth = Truth::of(&outline, cast, unit);
+    let largest = outline.ordinates.iter().fold(0f32, |size, b| size.max(*b));
+    let doubt = UNITS * (-24f64).exp2() * f64::from(largest);
     let lathe = forms::turned(&outline);
     for answer in [
         forms::shipped::<DefaultSolver>(&lathe, &cast),
         forms::shipped::<Cardano<math::Micromath>>(&lathe, &cast),
     ] {
-        let units = truth.judge(answer);
+        let units = truth.judge_unsure(answer, doubt);
         assert!(
-            units <= 16.0,
+            units <= UNITS,
             "{cast:?} {outline:?}: {answer:?} is {units} units off; truth {:?}",
             truth.crossings
         );

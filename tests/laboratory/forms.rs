@@ -7,7 +7,7 @@
 
 use super::contenders::{Direct, FirstRoot, textbook_roots};
 use crate::cases::{Cast, Outline};
-use embedded_lathe::math::{Libm, Std};
+use embedded_lathe::math::{Libm, Micromath, Native, Std};
 use embedded_lathe::solve::{Cardano, Solver, Split};
 use embedded_lathe::{Cubic, Lathe, Profile, Ray, Segment};
 
@@ -157,8 +157,16 @@ pub const METHODS: &[(&str, &str, Nearest)] = &[
     ("paper", "textbook Cardano", |outline, cast| paper(outline, cast, textbook)),
     ("paper", "split", |outline, cast| paper(outline, cast, split)),
     ("sound form", "textbook Cardano", |outline, cast| sound(outline, cast, textbook_first)),
-    ("crate", "split", |outline, cast| shipped::<Split<Std>>(&turned(outline), cast)),
-    ("crate", "Cardano", |outline, cast| shipped::<Cardano<Libm>>(&turned(outline), cast)),
+    ("crate", "split over native", |outline, cast| shipped::<Split<Native>>(&turned(outline), cast)),
+    ("crate", "split over std", |outline, cast| shipped::<Split<Std>>(&turned(outline), cast)),
+    ("crate", "split over libm", |outline, cast| shipped::<Split<Libm>>(&turned(outline), cast)),
+    ("crate", "split over micromath", |outline, cast| shipped::<Split<Micromath>>(&turned(outline), cast)),
+    ("crate", "Cardano over native", |outline, cast| shipped::<Cardano<Native>>(&turned(outline), cast)),
+    ("crate", "Cardano over std", |outline, cast| shipped::<Cardano<Std>>(&turned(outline), cast)),
+    ("crate", "Cardano over libm", |outline, cast| shipped::<Cardano<Libm>>(&turned(outline), cast)),
+    ("crate", "Cardano over micromath", |outline, cast| {
+        shipped::<Cardano<Micromath>>(&turned(outline), cast)
+    }),
 ];
 
 fn textbook(c: &[f32; 4]) -> [f32; 3] {

@@ -6,6 +6,9 @@
 //! The error of "the nearest crossing is at t" is the least displacement that makes it true: of the point there, onto the surface; and of
 //! every point before it that is on the wrong side, out of there (or beyond an end, or before the ray's start). In units of
 //! 2⁻²⁴·(size + distance of the origin). Points are sampled densely, so it too is a lower bound.
+//!
+//! [`Truth::judge_unsure`] lets the squared radius be off as well, by so much everywhere, before it displaces anything: near the axis that is
+//! a large displacement.
 
 use super::exact::{Exact, Polynomial, exact, float, quotient};
 use crate::cases::{Case, Cast, Outline};
@@ -15,8 +18,7 @@ pub struct Truth<'a> {
     cast: Cast,
     unit: f64,
     pieces: Vec<Piece>,
-    /// Along the ray: where, and how deep inside (positive) or outside.
-    samples: Vec<(f64, f64)>,
+    samples: Vec<Sample>,
     /// The t of every crossing, ascending.
     pub crossings: Vec<f64>,
 }
@@ -26,6 +28,29 @@ struct Piece {
     g: Polynomial,
     from: Exact,
     to: Exact,
+}
+
+/// A point of the ray: where, the wall from there, and the way to an end or the ray's start.
+struct Sample {
+    t: f64,
+    wall: Wall,
+    way: f64,
+}
+
+/// The wall from a point: g, the length of its gradient, and half its second derivative.
+#[derive(Clone, Copy)]
+struct Wall {
+    value: f64,
+    gradient: f64,
+    bend: f64,
+}
+
+impl Wall {
+    /// How far, about, if g is off by `doubt` at most: it changes by `n·d + κ·d²` at most over a distance d.
+    fn distance(&self, doubt: f64) -> f64 {
+        let (size, n) = (self.value.abs() - doubt, self.gradient);
+        if size > 0.0 { 2.0 * size / (n + (n * n + 4.0 * self.bend * size).sqrt()) } else { 0.0 }
+    }
 }
 
 /// Samples between two neighbouring turning points.
@@ -53,8 +78,8 @@ impl<'a> Truth<'a> {
                 for i in 0..=SAMPLES {
                     let share = exact(f64::from(i) / f64::from(SAMPLES));
                     let t = &pair[0] + (&pair[1] - &pair[0]) * share;
-                    let depth = truth.depth(piece, &t);
-                    truth.samples.push((float(&t), depth));
+                    let sample = truth.sample(piece, &t);
+                    truth.samples.push(sample);
                 }
             }
             let roots = piece.g.roots(&piece.from, &piece.to);
@@ -66,19 +91,37 @@ impl<'a> Truth<'a> {
 
     /// The error of an answer, in units.
     pub fn judge(&self, answer: Option<f32>) -> f64 {
+        self.judge_unsure(answer, 0.0)
+    }
+
+    /// The same if the squared radius may be off by `doubt`.
+    pub fn judge_unsure(&self, answer: Option<f32>, doubt: f64) -> f64 {
         let (residual, end) = match answer {
-            Some(t) if t > self.cast.t_min && t.is_finite() => (self.residual(t), f64::from(t)),
+            Some(t) if t > self.cast.t_min && t.is_finite() => (self.residual(t, doubt), f64::from(t)),
             Some(_) => return f64::INFINITY,
             None => (0.0, f64::INFINITY),
         };
-        let before = self.samples.iter().filter(|(t, _)| *t < end);
-        let (inside, outside) = before
-            .fold((0f64, 0f64), |(inside, outside), &(_, depth)| (inside.max(depth), outside.max(-depth)));
+        let (mut inside, mut outside) = (0f64, 0f64);
+        for sample in self.samples.iter().filter(|sample| sample.t < end) {
+            let depth = sample.wall.distance(doubt).min(sample.way);
+            if sample.wall.value > 0.0 {
+                inside = inside.max(depth);
+            } else {
+                outside = outside.max(depth);
+            }
+        }
         residual.max(inside.min(outside)) / self.unit
     }
 
+    /// From the first crossing, along the ray, in units; none if there is none, or no answer.
+    pub fn distance(&self, answer: Option<f32>) -> Option<f64> {
+        let length = self.cast.direction.map(f64::from).iter().map(|d| d * d).sum::<f64>().sqrt();
+        let (t, first) = answer.zip(self.crossings.first())?;
+        Some((f64::from(t) - first).abs() * length / self.unit)
+    }
+
     /// From the point at t to the surface.
-    fn residual(&self, t: f32) -> f64 {
+    fn residual(&self, t: f32, doubt: f64) -> f64 {
         let at = exact(t);
         let [x, y, z] = point(&self.cast, &at);
         let knots = &self.outline.knots;
@@ -92,34 +135,31 @@ impl<'a> Truth<'a> {
         let value = polynomial_of_height(&f, &h).at(&zeta)
             - &h * &h * &h * (exact(self.outline.k) * &x * &x + &y * &y);
         let value = float(&value) / float(&h).powi(3);
-        let wall = self.distance(segment, [float(&x), float(&y)], float(&zeta), value);
-        wall.max(beyond)
+        let wall = self.wall(segment, [float(&x), float(&y)], float(&zeta), value);
+        wall.distance(doubt).max(beyond)
     }
 
-    fn depth(&self, piece: &Piece, t: &Exact) -> f64 {
+    fn sample(&self, piece: &Piece, t: &Exact) -> Sample {
         let knots = &self.outline.knots;
         let [x, y, z] = point(&self.cast, t);
         let h = f64::from(knots[piece.segment + 1]) - f64::from(knots[piece.segment]);
         let value = float(&piece.g.at(t)) / h.powi(3);
         let zeta = float(&(&z - exact(knots[piece.segment])));
-        let wall = self.distance(piece.segment, [float(&x), float(&y)], zeta, value);
-        let to_end = [knots[0], knots[knots.len() - 1]].map(|knot| float(&(&z - exact(knot))).abs());
+        let wall = self.wall(piece.segment, [float(&x), float(&y)], zeta, value);
+        let [bottom, top] = [knots[0], knots[knots.len() - 1]].map(|knot| float(&(&z - exact(knot))).abs());
         let length = self.cast.direction.map(f64::from).iter().map(|d| d * d).sum::<f64>().sqrt();
         let to_start = float(&(t - exact(self.cast.t_min))) * length;
-        wall.min(to_end[0]).min(to_end[1]).min(to_start).max(0.0).copysign(value)
+        Sample { t: float(t), wall, way: bottom.min(top).min(to_start).max(0.0) }
     }
 
-    /// From a point to the surface, about: g changes by `n·d + κ·d²` at most over a distance d, n the length of its gradient and κ half its second derivative.
-    fn distance(&self, segment: usize, [x, y]: [f64; 2], zeta: f64, value: f64) -> f64 {
+    fn wall(&self, segment: usize, [x, y]: [f64; 2], zeta: f64, value: f64) -> Wall {
         let (f, h) = ordinates(self.outline, segment);
         let [_, f1, f2, f3] = f.map(|f| float(&f));
         let h = float(&h);
         let (u, k) = ((zeta / h).clamp(0.0, 1.0), f64::from(self.outline.k));
         let slope = ((3.0 * f3 * u + 2.0 * f2) * u + f1) / h;
         let bend = ((3.0 * f3 * u + f2) / (h * h)).abs().max(1.0);
-        let n = (2.0 * k * x).hypot(2.0 * y).hypot(slope);
-        let size = value.abs();
-        if size == 0.0 { 0.0 } else { 2.0 * size / (n + (n * n + 4.0 * bend * size).sqrt()) }
+        Wall { value, gradient: (2.0 * k * x).hypot(2.0 * y).hypot(slope), bend }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Rays at which intersections fail, by trouble: which outlines, met by which kinds of rays.
 
+use super::TOUCHING;
 use super::families::Question;
 use super::forms;
 use crate::cases::{Case, Cast, Family, Outline, case, outline, outlines};
@@ -9,6 +10,8 @@ use std::sync::OnceLock;
 
 pub struct Trouble {
     pub name: &'static str,
+    /// By how much the squared radius may be off: nothing, unless it touches zero inside a segment.
+    pub doubt: f64,
     outlines: Vec<Outline>,
     families: &'static [Family],
 }
@@ -34,7 +37,9 @@ impl Trouble {
 fn all() -> Vec<Trouble> {
     use Family::*;
     let named = |names: &[&str]| names.iter().map(|name| outline(name)).collect::<Vec<_>>();
-    let trouble = |name, outlines, families| Trouble { name, outlines, families };
+    let trouble = |name, outlines, families| Trouble { name, doubt: 0.0, outlines, families };
+    // At its middle, u = 1/2, Σ bⱼ·Bⱼ(u) is half of the largest ordinate, 1/4.
+    let waist = TOUCHING * (-24f64).exp2() / 8.0;
     vec![
         trouble("all around", outlines(), &[Random, Camera, Inside, Unnormalised, ThroughAxis]),
         trouble("silhouettes", outlines(), &[Grazing]),
@@ -48,7 +53,14 @@ fn all() -> Vec<Trouble> {
         trouble("joins", named(&["vase", "pawn", "lantern", "wander"]), &[Horizontal, Rims, Camera]),
         trouble("towards a sheet", sheets(), &[Random, NearHorizontal, Grazing]),
         trouble("thin necks", vec![outline("bottle"), neck()], &[Random, Grazing, Rims]),
-        trouble("touching the axis", vec![touching()], &[Random, NearHorizontal, Horizontal, ThroughAxis]),
+        Trouble {
+            doubt: waist,
+            ..trouble(
+                "touching the axis",
+                vec![touching()],
+                &[Random, NearHorizontal, Horizontal, ThroughAxis],
+            )
+        },
         trouble("leaving the surface", outlines(), &[FromSurface]),
     ]
 }

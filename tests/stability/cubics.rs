@@ -143,7 +143,7 @@ fn tally(method: &str, backend: &str, family: &str) -> Tally {
             }
             _ => None,
         };
-        tally.add(truth.judge(answer).units);
+        tally.add(truth.judge(answer).units, None);
     }
     tally
 }

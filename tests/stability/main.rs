@@ -16,3 +16,4 @@ mod oracle;
 mod cubics;
 mod found;
 mod rays;
+mod touching;

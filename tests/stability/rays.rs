@@ -22,7 +22,8 @@ fn tallies(trouble: &Trouble) -> Vec<Tally> {
         for (tally, (form, solver, nearest)) in tallies.iter_mut().zip(METHODS) {
             let answer = nearest(case.outline, &case.cast);
             let units = truth.judge(answer);
-            tally.add(units);
+            tally.add(units, None);
+            let units = truth.judge_unsure(answer, trouble.doubt);
             assert!(
                 *form != "crate" || units <= PROMISE,
                 "{} by {solver}: {case}\n  {answer:?} is {units} units off, crossings {:?}",

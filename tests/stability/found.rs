@@ -74,6 +74,12 @@ fn without_a_bracket() {
     solved([-1.0193732e-5, -5.9074003e-17, -114.65907, 8.695641e-18], -2.37e11, 1.456e19);
 }
 
+/// Where terms underflow a Newton iteration may go to and fro between two numbers for ever: this took for ever.
+#[test]
+fn a_solve_that_did_not_end() {
+    solved([1e-45, 6.012e-42, 1.964554e-24, -0.13838196], -0.033224195, 0.99316406);
+}
+
 /// The tip of a cone is a double root of the squared radius: the surface is known there to the square root of what g is.
 #[test]
 fn conical_poles() {

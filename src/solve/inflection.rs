@@ -65,13 +65,24 @@ fn approach(height: f32, [c1, c2, c3]: [f32; 3]) -> (f32, f32, u32) {
 /// `∛(a/b)` of positive numbers within 6 %, whatever a/b: bits less those of one are about a logarithm.
 fn cube_root_of_ratio(a: f32, b: f32) -> f32 {
     let [a, b] = [a, b].map(|x| x.to_bits() as i32);
-    f32::from_bits(((a - b) / 3 + 0x3f7c_538b) as u32)
+    // What is no positive number, or none at all, may wrap; there is no root of it.
+    f32::from_bits((a.wrapping_sub(b) / 3 + 0x3f7c_538b) as u32)
 }
 
 #[cfg(test)]
 mod tests {
     extern crate std;
-    use super::{MOST_STEPS, approach};
+    use super::{MOST_STEPS, approach, positive_root};
+
+    /// A chord's cubic may overflow: what comes of it is held to the chord, NaN too, and nothing panics.
+    #[test]
+    fn no_numbers_do_not_panic() {
+        for c3 in [f32::NAN, -f32::NAN, f32::NEG_INFINITY, -1.0, 0.0] {
+            for height in [f32::INFINITY, f32::MAX, f32::MIN_POSITIVE] {
+                let _ = positive_root(height, [0.0, 1.0, c3]);
+            }
+        }
+    }
 
     /// `c1·d + d³ = height` and `c2·d² + d³ = height`, c1 over twenty decades and c2 from nothing to what the doc
     /// allows, both in units of ∛height. The seed is another for every height from 1 to 8.

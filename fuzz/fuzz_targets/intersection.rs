@@ -1,5 +1,6 @@
-//! Any ray at any valid open profile: the nearest hit is within four times the promised displacement of the exact truth, if the squared radius
-//! may be off by as many units of the largest ordinate: near the axis that is a large displacement (tests/stability/touching.rs).
+//! Any ray at any valid open profile: the nearest hit is within four times the promised displacement of the
+//! exact truth, if the squared radius may be off by as many units of the largest ordinate: near the axis that
+//! is a large displacement (tests/stability/touching.rs).
 #![no_main]
 
 #[path = "../../tests/cases/mod.rs"]

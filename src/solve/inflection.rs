@@ -28,15 +28,15 @@ pub(super) fn from_inflection(g: Cubic) -> Guess {
     Guess { from: i, d: v.copysign(k), slope: -slope }
 }
 
-/// The root of `c1·d + c2·d² + c3·d³ = height`, where nothing is negative and c1 or c2 is nothing, and the slope
-/// there.
+/// The root of `c1·d + c2·d² + c3·d³ = height`, where nothing is negative and c1 or c2 is nothing, and the
+/// slope there.
 ///
-/// Newton's steps `(height + c2·d² + 2·c3·d³)/(c1 + 2·c2·d + 3·c3·d²)` from `∛(height/c3)`. That is close where
-/// the cubic term rules; where it does not the first step comes within a factor of 3 and the second where the
-/// others rule. From above the root they come down to it, and nothing cancels on the way: at most four bring
-/// the last below 10⁻³ of d, which leaves 1.2·10⁻⁶. The square's term may lead to the cubic's by no more than
-/// `c2³ ≤ 2·c3²·height`, or they are more. Where terms underflow they may go to and fro for ever, and the fourth is
-/// the last: what remains there is below what counts.
+/// Newton's steps `(height + c2·d² + 2·c3·d³)/(c1 + 2·c2·d + 3·c3·d²)` from `∛(height/c3)`. That is close
+/// where the cubic term rules; where it does not the first step comes within a factor of 3 and the second
+/// where the others rule. From above the root they come down to it, and nothing cancels on the way: at most
+/// four bring the last below 10⁻³ of d, which leaves 1.2·10⁻⁶. The square's term may lead to the cubic's by
+/// no more than `c2³ ≤ 2·c3²·height`, or they are more. Where terms underflow they may go to and fro for
+/// ever, and the fourth is the last: what remains there is below what counts.
 #[cold]
 #[inline(never)]
 pub(super) fn positive_root(height: f32, [c1, c2, c3]: [f32; 3]) -> (f32, f32) {
@@ -84,8 +84,8 @@ mod tests {
         }
     }
 
-    /// `c1·d + d³ = height` and `c2·d² + d³ = height`, c1 over twenty decades and c2 from nothing to what the doc
-    /// allows, both in units of ∛height. The seed is another for every height from 1 to 8.
+    /// `c1·d + d³ = height` and `c2·d² + d³ = height`, c1 over twenty decades and c2 from nothing to what the
+    /// doc allows, both in units of ∛height. The seed is another for every height from 1 to 8.
     #[test]
     fn four_steps_leave_a_millionth() {
         let (mut most, mut worst) = (0, 0.0_f64);

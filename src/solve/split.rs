@@ -12,8 +12,8 @@ use core::marker::PhantomData;
 /// nearer; away from it down without bound. Below −3/4, and where there is no turning point, the cubic term
 /// rules and the root is reckoned from the point of inflection. (`inflection.rs`.)
 ///
-/// Φ is a polynomial of five terms within 2.7·10⁻³ and a Newton step on its equation, 5.2·10⁻⁶. What that, and
-/// the rounding of the turning point, leaves is left to one Newton step on g itself, whose slope is
+/// Φ is a polynomial of five terms within 2.7·10⁻³ and a Newton step on its equation, 5.2·10⁻⁶. What that,
+/// and the rounding of the turning point, leaves is left to one Newton step on g itself, whose slope is
 /// `d·(2·bend − 3·c3·d)`, a product that does not cancel as d → 0. The step is quadratic: 10⁻¹¹·d remain. No
 /// bracket, no loop:
 ///

@@ -6,7 +6,8 @@
 //! point of g, or at lo, to a relative error of the order of δ itself. For "there is none", the stretch ends at hi.
 //! What is computed is therefore a lower bound: an answer that it calls wrong is wrong.
 //!
-//! [`Truth::promised`] forgives in addition what the crate's promise leaves out: a value, not a term of it, below 2⁻¹²⁶ of the largest coefficient.
+//! [`Truth::promised`] forgives in addition what the crate's promise leaves out: a value, not a term of it,
+//! below 2⁻¹²⁶ of the largest coefficient.
 
 use super::exact::{Exact, Polynomial, exact, float, quotient, sign};
 use embedded_lathe::solve::BACKWARD_ERROR;
@@ -29,7 +30,8 @@ pub struct Truth {
 pub struct Verdict {
     /// Backward error, in units of 2⁻²⁴.
     pub units: f64,
-    /// From the certified first root, in units of 2⁻²⁴ of the interval; none if either of the two says that there is no root.
+    /// From the certified first root, in units of 2⁻²⁴ of the interval; none if either of the two says that
+    /// there is no root.
     pub distance: Option<f64>,
 }
 

@@ -38,6 +38,7 @@ pub const DISPLACEMENT: f64 = 16.0;
 /// What the crate's own intersections promise: a quarter of that.
 pub const PROMISE: f64 = 4.0;
 
-/// By how many units of `2⁻²⁴·Σ bⱼ·Bⱼ(u)`, magnitudes, the squared radius may be off where it touches zero inside a segment, one for each of the
-/// three interpolations that it is found by (`tests/stability/touching.rs`).
+/// By how many units of `2⁻²⁴·Σ bⱼ·Bⱼ(u)`, magnitudes, the squared radius may be off where it touches zero
+/// inside a segment, one for each of the three interpolations that it is found by
+/// (`tests/stability/touching.rs`).
 pub const TOUCHING: f64 = 3.0;

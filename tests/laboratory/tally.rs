@@ -5,7 +5,8 @@
 pub struct Tally {
     /// Backward errors in units of 2⁻²⁴, or displacements in units of 2⁻²⁴·(size + distance).
     units: Vec<f64>,
-    /// From the first root to the one answered, where there are both: in units of 2⁻²⁴ of the interval, or of size + distance.
+    /// From the first root to the one answered, where there are both: in units of 2⁻²⁴ of the interval, or of
+    /// size + distance.
     distances: Vec<f64>,
 }
 

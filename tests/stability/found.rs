@@ -69,8 +69,9 @@ fn a_start_in_its_own_unit() {
     assert_eq!(Cubic::new(c).roots(-1.701448e38, -7.450581e-9).len(), 1);
 }
 
-/// Drafts of the solver without a bracket failed on these: a minimum that all but touches zero; a triple root, where the slope is nothing; a root
-/// at 10⁻²⁰ reckoned from a point of inflection at 10¹³; and one at 10¹⁹ where the terms are of the size of 10⁴⁰.
+/// Drafts of the solver without a bracket failed on these: a minimum that all but touches zero; a triple
+/// root, where the slope is nothing; a root at 10⁻²⁰ reckoned from a point of inflection at 10¹³; and one at
+/// 10¹⁹ where the terms are of the size of 10⁴⁰.
 #[test]
 fn without_a_bracket() {
     solved([2.5239446, -1.6659768, -1.144438, 0.7555574], 0.5, 1.5);
@@ -79,7 +80,8 @@ fn without_a_bracket() {
     solved([-1.0193732e-5, -5.9074003e-17, -114.65907, 8.695641e-18], -2.37e11, 1.456e19);
 }
 
-/// Where terms underflow a Newton iteration may go to and fro between two numbers for ever: this took for ever.
+/// Where terms underflow a Newton iteration may go to and fro between two numbers for ever: this took for
+/// ever.
 #[test]
 fn a_solve_that_did_not_end() {
     solved([1e-45, 6.012e-42, 1.964554e-24, -0.13838196], -0.033224195, 0.99316406);
@@ -123,7 +125,8 @@ fn conical_poles_along_the_axis() {
     );
 }
 
-/// Two conical poles in one segment, along the axis: at the far one f is a sum of powers of u, and as good as the solver.
+/// Two conical poles in one segment, along the axis: at the far one f is a sum of powers of u, and as good as
+/// the solver.
 #[test]
 fn a_far_conical_pole_along_the_axis() {
     let [b1, b2] = [0.99998474_f32, 0.0038909912];

@@ -20,7 +20,8 @@
 //! [`BACKWARD_ERROR`] units of 2⁻²⁴ each, relative, and so is the claim that there is none before it. Two
 //! roots closer than that can tell apart may be reported or missed together. Leading coefficients may vanish,
 //! and neither the scale of the coefficients nor the length of the interval matters (`wide.rs`); what does not
-//! count is a coefficient below 2⁻¹²⁶ of the largest. Coefficients that are not finite have no roots.
+//! count is a value below 2⁻¹⁰⁶ of the largest coefficient, f32's smallest over the least that is not scaled
+//! first. Coefficients that are not finite have no roots.
 
 mod cardano;
 mod inflection;

@@ -7,7 +7,7 @@
 //! What is computed is therefore a lower bound: an answer that it calls wrong is wrong.
 //!
 //! [`Truth::promised`] forgives in addition what the crate's promise leaves out: a value, not a term of it,
-//! below 2⁻¹²⁶ of the largest coefficient.
+//! below 2⁻¹⁰⁶ of the largest coefficient.
 
 use super::exact::{Exact, Polynomial, exact, float, quotient, sign};
 use embedded_lathe::solve::BACKWARD_ERROR;
@@ -42,10 +42,10 @@ impl Truth {
         Self::above(0.0, c, lo, hi)
     }
 
-    /// Where a value of 2⁻¹²⁶ of the largest coefficient is `BACKWARD_ERROR` units.
+    /// Where a value of 2⁻¹⁰⁶ of the largest coefficient is `BACKWARD_ERROR` units.
     pub fn promised(c: &[f32], lo: f32, hi: f32) -> Self {
         let largest = c.iter().fold(0f32, |largest, c| largest.max(c.abs()));
-        let floor = (-126f64).exp2() * f64::from(largest) * UNITS / f64::from(BACKWARD_ERROR);
+        let floor = (-106f64).exp2() * f64::from(largest) * UNITS / f64::from(BACKWARD_ERROR);
         Self::above(floor, c, lo, hi)
     }
 

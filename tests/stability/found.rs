@@ -87,6 +87,13 @@ fn a_solve_that_did_not_end() {
     solved([1e-45, 6.012e-42, 1.964554e-24, -0.13838196], -0.033224195, 0.99316406);
 }
 
+/// Terms that underflow in a cubic whose largest coefficient is 2⁻²⁰, the least that is solved as it is.
+#[test]
+fn what_does_not_count() {
+    solved([9.1698e-41, 2.547e-41, 8.61e-42, 2.7151555e-6], -41730.0, 1.9669537e-6);
+    solved([8.8e-44, 4.935213e-34, 2.204052e-39, -1.2815221e-6], 5.803302e-39, 12815.803);
+}
+
 /// The tip of a cone is a double root of the squared radius: the surface is known there to the square root of what g is.
 #[test]
 fn conical_poles() {

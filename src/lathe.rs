@@ -234,7 +234,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         match hit.part {
             Part::Base => pole(-1.0),
             Part::Top => pole(1.0),
-            Part::Wall if largest(gradient) > 0.0 => gradient,
+            Part::Wall if largest(gradient) >= f32::MIN_POSITIVE => gradient,
             Part::Wall if hit.segment == 0 && hit.u < 0.5 => pole(-1.0),
             Part::Wall => pole(1.0),
         }

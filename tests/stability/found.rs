@@ -7,7 +7,7 @@ use crate::laboratory::forms::{METHODS, turned};
 use crate::laboratory::hits::Truth as HitTruth;
 use crate::laboratory::judge::Truth;
 use embedded_lathe::solve::BACKWARD_ERROR;
-use embedded_lathe::{Cubic, Ray};
+use embedded_lathe::{Cubic, Lathe, Profile, Ray};
 
 fn solved(c: [f32; 4], lo: f32, hi: f32) {
     let truth = Truth::promised(&c, lo, hi);
@@ -147,6 +147,15 @@ fn a_far_conical_pole_along_the_axis() {
         [0.0, 0.0, 2.125],
         [0.0, 0.0, 2.7263013e-8],
     );
+}
+
+/// A tip whose slope is of no normal size has the axis for its normal: its own, brought to one, was not a number.
+#[test]
+fn a_tip_all_but_without_a_slope() {
+    let profile = Profile::<1>::new(&[0.0, 1.0], &[1.0, 1.0, 1e-40, 0.0]).expect("valid");
+    let (lathe, ray) = (Lathe::turn(profile), Ray::new([0.0, 0.0, 2.0], [0.0, 0.0, -1.0]).expect("finite"));
+    let hit = lathe.nearest(&ray, 0.0).expect("the tip");
+    assert_eq!(lathe.surface(&ray, &hit).normal.to_array(), [0.0, 0.0, 1.0]);
 }
 
 /// The waist of an hourglass that has no radius: a knot lies there, as the promise asks.

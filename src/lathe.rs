@@ -207,6 +207,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     }
 
     /// [`Lathe::nearest`] with the solver S.
+    // In line: of two frames one within the other this makes one, where the stack is deepest.
     #[inline(always)]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         walk::<S, _, false>(self.view(), &Path::new(&self.frame, ray), t_min, ControlFlow::Break)

@@ -241,8 +241,7 @@ impl Sweep<'_> {
         self.k = bulge * (self.steep * self.steep) - self.q;
         self.j = kinks * self.steep;
         self.reach = reach;
-        let is_concave = !(self.k > 0.0);
-        self.certain = if self.sign > 0.0 && is_concave { self.j + self.slack } else { f32::INFINITY };
+        self.certain = if self.sign > 0.0 && self.k <= 0.0 { self.j + self.slack } else { f32::INFINITY };
         true
     }
 

@@ -64,7 +64,9 @@ fn firmware_cannot_panic() {
         (M3, "oled"),
         (M4F, "oled"),
     ] {
-        for profile in [RELEASE, SMALL] {
+        // What the larger profile puts in line is the same on all.
+        let profiles = if target == M4F { &[SMALL, RELEASE][..] } else { &[SMALL] };
+        for profile in profiles {
             let found = panics(&firmware::build(target, example, profile, &[]));
             assert!(found.is_empty(), "{example} for {target}, {profile}, links {found:#?}");
         }

@@ -3,13 +3,12 @@
 
 use crate::camera::Row;
 use crate::color::{Paint, Rgb};
-use crate::lathe::Look;
 use crate::scene::Scene;
 use crate::solid::Solid;
 use core::num::NonZeroU32;
 
-/// How many pixels of a row are reckoned at once: what is common to them is found once, and their depths are
-/// kept until all solids have been seen.
+/// How many pixels are reckoned at once where a row cannot be: before several solids, for the depths are kept
+/// until all have been seen, and on the way to a display.
 const RUN: usize = 16;
 
 /// A scene as a picture of so many pixels: reckoned row by row, or pixel by pixel, when asked.
@@ -83,6 +82,7 @@ impl Picture<'_> {
         }
     }
 
+    /// What there is before any solid is seen.
     #[inline(never)]
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         let colour = self.scene.background.row(y, self.height);
@@ -98,22 +98,12 @@ impl Picture<'_> {
         let mut along = solid.along(row, &self.scene.light, x, end);
         let mut i = x;
         while i < end {
-            let seen = match along.follow(i) {
-                Some(seen) => seen,
-                None => match along.look(i) {
-                    Look::Follow => continue,
-                    Look::Clear(next) => {
-                        i = next;
-                        continue;
-                    }
-                    Look::Unknown => match along.alone(i) {
-                        Some(seen) => seen,
-                        None => {
-                            i += 1;
-                            continue;
-                        }
-                    },
-                },
+            let seen = match along.see(i) {
+                Ok(seen) => seen,
+                Err(next) => {
+                    i = next;
+                    continue;
+                }
             };
             let at = (i - x) as usize;
             let is_nearest = match depths.get_mut(at) {

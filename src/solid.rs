@@ -75,18 +75,18 @@ impl<'a> Solid<'a> {
     /// The solid as the pixels from `start` to `end` of a row see it.
     #[inline(always)]
     pub(crate) fn along<'s>(&'s self, row: &'s Row, light: &Light, start: u32, end: u32) -> SolidRow<'s> {
-        let Pose { position, rotation, scale } = &self.pose;
-        let (rays, per_scale) = (row.rays(), 1.0 / scale);
+        let (pose, back) = (&self.pose, |v| self.pose.rotation.back(v));
+        let (rays, per_scale) = (row.rays(), 1.0 / pose.scale);
         let own = Rays {
-            origin: rotation.back(rays.origin - *position) * per_scale,
-            origin_step: rotation.back(rays.origin_step) * per_scale,
-            direction: rotation.back(rays.direction),
-            direction_step: rotation.back(rays.direction_step),
+            origin: pose.point_into(rays.origin),
+            origin_step: back(rays.origin_step) * per_scale,
+            direction: back(rays.direction),
+            direction_step: back(rays.direction_step),
         };
         SolidRow {
             solid: self,
             row,
-            light: Light { towards: rotation.back(light.towards), ..*light },
+            light: Light { towards: back(light.towards), ..*light },
             sweep: self.lathe.sweep(&own, per_scale, start, end),
         }
     }
@@ -108,22 +108,29 @@ pub(crate) struct SolidRow<'a> {
 }
 
 impl SolidRow<'_> {
-    /// What the i-th ray sees, found from what the one before it saw. `None` is no answer: `look`.
+    /// What the i-th ray sees, or the next one to ask for: it again, or the first that may see something.
     #[inline(always)]
-    pub fn follow(&mut self, i: u32) -> Option<Seen> {
-        self.sweep.follow(i)
+    pub fn see(&mut self, i: u32) -> Result<Seen, u32> {
+        if let Some(seen) = self.sweep.follow(i) {
+            return Ok(seen);
+        }
+        match self.look(i) {
+            Look::Follow => Err(i),
+            Look::Clear(next) => Err(next),
+            Look::Unknown => self.alone(i).ok_or(i + 1),
+        }
     }
 
-    /// With nothing to follow, what is to be done.
+    /// With nothing to follow, what is to be done. Apart, as `alone` is: their stacks are not both needed.
     #[inline(never)]
-    pub fn look(&mut self, i: u32) -> Look {
+    fn look(&mut self, i: u32) -> Look {
         self.sweep.look(i)
     }
 
-    /// What the i-th ray sees, found as that of any ray: what `follow` and `look` leave in doubt is decided as
+    /// What the i-th ray sees, found as that of any ray: what the sweep leaves in doubt is decided as
     /// everywhere.
     #[inline(never)]
-    pub fn alone(&mut self, i: u32) -> Option<Seen> {
+    fn alone(&mut self, i: u32) -> Option<Seen> {
         let (ray, lathe) = (self.solid.ray_into(&self.row.ray(i)), self.solid.lathe);
         let hit = lathe.nearest_by::<DefaultSolver>(&ray, 0.0)?;
         self.sweep.found(&hit);

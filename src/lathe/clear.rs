@@ -1,6 +1,6 @@
 //! Runs of pixels that see nothing: how high g comes along one ray, and for how many more that will do.
 
-use super::first::{highest, most};
+use super::bound::{highest, most};
 use super::path::{Path, flat};
 use super::sweep::Sweep;
 use crate::cubic::Cubic;

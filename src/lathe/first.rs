@@ -10,6 +10,7 @@
 //! outside the cylinder of what it may have passed. Where that does not tell either, or the root leaves, its
 //! ray's cubic in each segment before does.
 
+use super::bound::most;
 use super::path::{Path, flat};
 use super::sweep::Sweep;
 use crate::cubic::Cubic;
@@ -65,20 +66,4 @@ impl Sweep<'_> {
         let end = if up { self.lathe.frame.base } else { self.lathe.frame.top };
         sign > 0.0 || end.is_none()
     }
-}
-
-/// A bound on a cubic from `-before` to `beyond`, where `c3·s³ ≤ |c3|·l·s²`.
-pub(super) fn most(g: &Cubic, before: f32, beyond: f32) -> f32 {
-    let [c0, c1, c2, c3] = g.c;
-    c0 + highest(c1, c2 + greater(c3 * beyond, -c3 * before), before, beyond)
-}
-
-/// The greatest value of `c1·s + c2·s²` from `-before` to `beyond`.
-#[inline(never)]
-pub(super) fn highest(c1: f32, c2: f32, before: f32, beyond: f32) -> f32 {
-    let at = |s: f32| (c1 + c2 * s) * s;
-    let vertex = -0.5 * c1 / c2;
-    // Also where c2 is zero, and the vertex infinite or not a number.
-    let is_between = c2 < 0.0 && -before < vertex && vertex < beyond;
-    if is_between { at(vertex) } else { greater(0.0, greater(at(-before), at(beyond))) }
 }

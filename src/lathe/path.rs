@@ -3,7 +3,7 @@ use super::segment::Segment;
 use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
 use crate::ray::Ray;
-use crate::vector::{F32x3, dot, vector};
+use crate::vector::{F32x3, dot};
 
 /// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what
 /// follows has the size of the solid however far away the ray comes from. x is scaled by √k: there every
@@ -30,11 +30,9 @@ impl Path {
     /// The path of a ray of object space.
     #[inline(always)]
     pub fn new(frame: &Frame, ray: &Ray) -> Self {
-        let (o, d) = (ray.origin, ray.direction);
-        let o = vector([o.x * frame.scale, o.y * frame.scale, (o.z - frame.middle) * frame.scale]);
+        let (o, d) = (frame.point(ray.origin), ray.direction);
         let shift = -dot(o, d) / dot(d, d);
-        let squashed = |v: F32x3| vector([v.x * frame.root_squash, v.y, v.z]);
-        Self::about(squashed(o + d * shift), squashed(d), shift, frame.scale * ray.unit)
+        Self::about(frame.squashed(o + d * shift), frame.squashed(d), shift, frame.scale * ray.unit)
     }
 
     /// The path along `o + t·d`, in the frame, x scaled by √k.

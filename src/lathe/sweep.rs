@@ -105,11 +105,9 @@ impl Lathe {
     pub(crate) fn sweep(&self, rays: &Rays, unit: f32, start: u32, end: u32) -> Sweep<'_> {
         let lathe = self.view();
         let frame = lathe.frame;
-        let squashed = |v: F32x3| vector([v.x * frame.root_squash, v.y, v.z]);
-        let (d, d1) = (squashed(rays.direction), squashed(rays.direction_step));
-        let lift = vector([0.0, 0.0, frame.middle]);
-        let (o, o1) =
-            (squashed((rays.origin - lift) * frame.scale), squashed(rays.origin_step * frame.scale));
+        let (d, d1) = (frame.squashed(rays.direction), frame.squashed(rays.direction_step));
+        let o = frame.squashed(frame.point(rays.origin));
+        let o1 = frame.squashed(rays.origin_step * frame.scale);
 
         let half = 0.5 * (end - start) as f32;
         let centre = start as f32 + half;

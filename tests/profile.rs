@@ -183,7 +183,7 @@ fn scale_does_not_matter() {
 #[test]
 fn any_bits_of_a_ray_will_do() {
     use rand::{Rng, SeedableRng};
-    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(42);
+    let mut rng = rand::rngs::ChaCha8Rng::seed_from_u64(42);
     let lathe = Lathe::turn(profile(&KNOTS, &ORDINATES).unwrap().squash(0.3).unwrap().closed());
     let mut met = 0;
     for _ in 0..500_000 {

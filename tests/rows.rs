@@ -15,8 +15,8 @@ use embedded_lathe::solve::Solver;
 use embedded_lathe::{
     Background, Camera, End, Lathe, Light, Paint, Pose, Profile, Ray, Rgb, Rotation, Scene, Segment, Solid,
 };
+use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 const BLACK: Background = Background::Plain(Rgb::BLACK);
 

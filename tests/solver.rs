@@ -10,8 +10,8 @@ mod backends;
 use embedded_lathe::Cubic;
 use embedded_lathe::math::{Libm, Math, Micromath, Native, Std};
 use embedded_lathe::solve::{BACKWARD_ERROR, Solver};
+use rand::rngs::ChaCha8Rng;
 use rand::{Rng, RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 const CUBICS: usize = 20_000;
 const UNIT: f64 = 1.0 / 16_777_216.0;

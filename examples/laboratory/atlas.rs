@@ -14,8 +14,8 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use embedded_lathe::Camera;
+use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use std::error::Error;
 
 /// Cells across and up, pixels a cell, rays a cell.

@@ -15,7 +15,7 @@ pub use outline::{Outline, outline, outlines};
 use crate::oracle;
 use place::Place;
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 use std::fmt;
 
 /// t in units of the direction as given.

@@ -1,8 +1,8 @@
 //! The solids under test.
 
 use crate::oracle::Shape;
+use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 /// A profile as it is handed to the kernel.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use super::Outline;
 use crate::oracle::{Ray, Shape, crossings, value};
 use rand::RngExt;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 use std::f64::consts::TAU;
 
 pub type Vector = [f64; 3];

@@ -2,8 +2,8 @@
 
 use super::judge::Truth;
 use super::troubles;
+use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 /// A question: the first root of `Σ c[j]·uʲ` in [lo, hi].
 #[derive(Clone, Copy, Debug, PartialEq)]

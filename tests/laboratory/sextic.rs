@@ -3,8 +3,8 @@
 //! `c²·r(u)² − k·(c·x + a·ζ)² − (c·y + b·ζ)² = 0`, ζ = z(u) − z₀ the height over the ray's origin: the ray's parameter eliminated, multiplied by c².
 
 use super::families::Question;
+use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 /// The same ray, and much the same profile, as a cubic in squared radius and as a sextic.
 pub struct Pair {

@@ -5,7 +5,7 @@ use super::families::Question;
 use super::forms;
 use crate::cases::{Case, Cast, Family, Outline, case, outline, outlines};
 use rand::RngExt;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 use std::sync::OnceLock;
 
 pub struct Trouble {

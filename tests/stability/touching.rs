@@ -14,8 +14,8 @@ use crate::laboratory::forms::METHODS;
 use crate::laboratory::hits::Truth;
 use crate::laboratory::{PROMISE, TOUCHING};
 use embedded_lathe::Profile;
+use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 const SEED: u64 = 4;
 const NECKS: u32 = 500;

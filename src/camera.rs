@@ -1,7 +1,6 @@
 //! From pixels to rays.
 
 use crate::ray::Ray;
-use crate::rays::Rays;
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, cross, difference, scale, unit, vector};
 
@@ -134,24 +133,6 @@ impl Row<'_> {
     /// The ray of pixel i.
     pub fn ray(&self, i: u32) -> Ray {
         self.camera.ray(i, self.y, self.width, self.height)
-    }
-
-    /// All of them, but for rounding.
-    #[inline(always)]
-    pub fn rays(&self) -> Rays {
-        let Camera { eye, forward, right, up, projection } = *self.camera;
-        let per_width = 1.0 / self.width as f32;
-        let down = (2.0 * self.y as f32 + 1.0 - self.height as f32) * per_width;
-        let (first, step) = (right * (per_width - 1.0) - up * down, right * (per_width + per_width));
-        let none = F32x3::default();
-        match projection {
-            Projection::Perspective => {
-                Rays { origin: eye, origin_step: none, direction: forward + first, direction_step: step }
-            }
-            Projection::Orthographic => {
-                Rays { origin: eye + first, origin_step: step, direction: forward, direction_step: none }
-            }
-        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! Colours as the renderer reckons with them.
 
+use crate::math::order::{greater, lesser};
+
 /// A colour as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
 /// gamma-corrected.
 ///
@@ -41,10 +43,29 @@ impl Rgb {
         Self::new(share, share, share)
     }
 
-    /// Dimmed to a share of itself, with white light added.
+    /// Dimmed to a share of itself.
     #[inline(always)]
-    pub(crate) const fn lit(self, share: f32, white: f32) -> Self {
-        Self { r: self.r * share + white, g: self.g * share + white, b: self.b * share + white }
+    pub(crate) const fn dimmed(self, share: f32) -> Self {
+        Self { r: self.r * share, g: self.g * share, b: self.b * share }
+    }
+
+    /// With a share of another colour added.
+    #[inline(always)]
+    pub(crate) const fn with(self, other: Self, share: f32) -> Self {
+        Self { r: self.r + share * other.r, g: self.g + share * other.g, b: self.b + share * other.b }
+    }
+
+    /// No channel more than another colour's.
+    pub(crate) const fn least(self, most: Self) -> Self {
+        Self { r: lesser(self.r, most.r), g: lesser(self.g, most.g), b: lesser(self.b, most.b) }
+    }
+
+    /// In shades, of which there are `most`. What lies outside 0 to 1 is cut off, and nothing is in place of what
+    /// is not a number.
+    #[inline(never)]
+    pub(crate) fn shades(self, most: Self) -> Self {
+        let cut = |share: f32| lesser(1.0, greater(0.0, share));
+        Self { r: cut(self.r) * most.r, g: cut(self.g) * most.g, b: cut(self.b) * most.b }
     }
 
     /// From this colour, at 0, to another, at 1.
@@ -72,13 +93,25 @@ impl Rgb {
 /// assert_eq!(on.count(), 13);
 /// ```
 pub trait Paint: Copy {
+    /// How many shades above black red, green and blue have: what a share of 1 is in shades.
+    const SHADES: Rgb;
+
+    /// What stands in column x, row y, for a colour in shades, each from 0 to that of `SHADES`, or beyond by
+    /// rounding.
+    fn shade(shades: Rgb, x: u32, y: u32) -> Self;
+
     /// What stands for the colour in column x, row y.
-    fn paint(colour: Rgb, x: u32, y: u32) -> Self;
+    fn paint(colour: Rgb, x: u32, y: u32) -> Self {
+        Self::shade(colour.shades(Self::SHADES), x, y)
+    }
 }
 
 impl Paint for Rgb {
-    fn paint(colour: Rgb, _: u32, _: u32) -> Self {
-        colour
+    const SHADES: Rgb = Rgb::WHITE;
+
+    #[inline(always)]
+    fn shade(shades: Rgb, _: u32, _: u32) -> Self {
+        shades
     }
 }
 

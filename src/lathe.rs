@@ -23,13 +23,15 @@ mod bound;
 mod chord;
 mod clear;
 mod first;
+mod follow;
 mod path;
 mod segment;
 mod sweep;
 mod walk;
 
+pub(crate) use follow::{Seen, Stop};
 pub use segment::Segment;
-pub(crate) use sweep::{Look, Seen, Sweep};
+pub(crate) use sweep::{Look, Sweep};
 
 use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
@@ -93,8 +95,6 @@ struct Frame {
     reach: f32,
     /// The radius of a ball around all of it.
     size: f32,
-    /// The larger of the squared radii at its ends.
-    ends: f32,
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
     steepest: f32,
     curvature: f32,
@@ -163,7 +163,6 @@ impl<const N: usize> Lathe<[Segment; N]> {
             high,
             reach,
             size: crate::math::constant::sqrt(reach + high * high),
-            ends: segments[0].b[0].max(segments[len - 1].b[3]),
             steepest,
             curvature,
             base: plane(segments[0].b[0], profile.base, Part::Base),

@@ -1,6 +1,5 @@
 //! One directional light.
 
-use crate::color::Rgb;
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, unit, vector};
 
@@ -37,15 +36,10 @@ impl Light {
         }
     }
 
-    /// What is seen of a colour, given n·l, n·v and l·v for unit vectors.
-    #[inline(always)]
-    pub(crate) fn shade(&self, colour: Rgb, shininess: u8, nl: f32, nv: f32, lv: f32) -> Rgb {
-        let lambert = if nl > 0.0 { nl } else { 0.0 };
-        let share = self.ambient + (1.0 - self.ambient) * lambert;
+    /// The share of white that a shiny surface adds, given n·l, n·v and l·v.
+    pub(crate) fn highlight(shininess: u8, nl: f32, nv: f32, lv: f32) -> f32 {
         let mirrored = 2.0 * nl * nv - lv;
-        let white =
-            if shininess > 0 && nl > 0.0 && mirrored > 0.0 { 0.5 * power(mirrored, shininess) } else { 0.0 };
-        colour.lit(share, white)
+        if nl > 0.0 && mirrored > 0.0 { 0.5 * power(mirrored, shininess) } else { 0.0 }
     }
 }
 

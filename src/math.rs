@@ -14,6 +14,7 @@
 //! same bits wherever only `sqrt` is asked for. That is all the renderer asks for.
 
 pub(crate) mod constant;
+mod inverse_root;
 mod libm;
 mod micromath;
 mod native;
@@ -21,6 +22,7 @@ pub(crate) mod order;
 #[cfg(feature = "std")]
 mod std;
 
+pub(crate) use self::inverse_root::inverse_root;
 pub use self::libm::Libm;
 pub use self::micromath::Micromath;
 pub use self::native::Native;

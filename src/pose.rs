@@ -42,7 +42,7 @@ impl Pose {
     }
 
     /// A point of the world in object space.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn point_into(&self, world: F32x3) -> F32x3 {
         self.rotation.back(world - self.position) * (1.0 / self.scale)
     }
@@ -138,7 +138,7 @@ impl Rotation {
     }
 
     /// The vector, turned back.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn back(&self, v: F32x3) -> F32x3 {
         let [a, b, c] = self.rows;
         let (a, b, c) = (scale(a, v.x), scale(b, v.y), scale(c, v.z));

@@ -1,5 +1,6 @@
 //! The rays of neighbouring pixels.
 
+use crate::ray::Ray;
 use crate::vector::F32x3;
 
 /// The rays of a row of pixels: origin and direction are linear in the pixel's number.
@@ -12,6 +13,17 @@ pub(crate) struct Rays {
 }
 
 impl Rays {
+    /// From the ray of pixel 0 and that of another one, `last`.
+    pub fn between(first: &Ray, other: &Ray, last: u32) -> Self {
+        let per_pixel = 1.0 / last as f32;
+        Self {
+            origin: first.origin,
+            origin_step: (other.origin - first.origin) * per_pixel,
+            direction: first.direction,
+            direction_step: (other.direction - first.direction) * per_pixel,
+        }
+    }
+
     /// Origin and direction of pixel i.
     #[inline(always)]
     pub fn at(&self, i: u32) -> (F32x3, F32x3) {

@@ -3,8 +3,9 @@
 
 use crate::camera::Row;
 use crate::color::{Paint, Rgb};
+use crate::lathe::{Seen, Stop};
 use crate::scene::Scene;
-use crate::solid::Solid;
+use crate::solid::{Finish, Solid, SolidRow};
 use core::num::NonZeroU32;
 
 /// How many pixels are reckoned at once where a row cannot be: before several solids, for the depths are kept
@@ -61,6 +62,7 @@ impl Picture<'_> {
     ///
     /// A long part is cheaper than as many short ones: neighbours share what they can. The picture is the same,
     /// but for less than one pixel in 10 000, where rounding decides between two shades.
+    #[inline(never)]
     pub fn part_of_row<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         let left = self.width.saturating_sub(x) as usize;
         let len = part.len().min(left);
@@ -85,9 +87,9 @@ impl Picture<'_> {
     /// What there is before any solid is seen.
     #[inline(never)]
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
-        let colour = self.scene.background.row(y, self.height);
+        let shades = self.scene.background.row(y, self.height).shades(C::SHADES);
         for (pixel, x) in part.iter_mut().zip(x..) {
-            *pixel = C::paint(colour, x, y);
+            *pixel = C::shade(shades, x, y);
         }
     }
 
@@ -95,29 +97,28 @@ impl Picture<'_> {
     #[inline(never)]
     fn solid<C: Paint>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depths: &mut [f32]) {
         let end = x + run.len() as u32;
-        let mut along = solid.along(row, &self.scene.light, x, end);
+        let mut along = solid.along(row, x, end);
+        if along.is_far() {
+            return;
+        }
+        let mut canvas =
+            Canvas { finish: solid.finish::<C>(row, &self.scene.light), x, y: row.y, run, depths };
         let mut i = x;
         while i < end {
-            let seen = match along.see(i) {
-                Ok(seen) => seen,
-                Err(next) => {
-                    i = next;
-                    continue;
-                }
-            };
-            let at = (i - x) as usize;
-            let is_nearest = match depths.get_mut(at) {
-                Some(depth) if seen.t < *depth => {
-                    *depth = seen.t;
-                    true
-                }
-                Some(_) => false,
-                None => true,
-            };
-            if is_nearest && let Some(pixel) = run.get_mut(at) {
-                *pixel = C::paint(along.colour(i, &seen), i, row.y);
+            let to = along.followed(i);
+            if to > i {
+                let (next, stop) = canvas.follow(&mut along, i, to);
+                along.stopped(next, stop);
+                i = next;
+                continue;
             }
-            i += 1;
+            match along.see(i) {
+                Err(next) => i = next,
+                Ok(seen) => {
+                    canvas.put(i, &seen);
+                    i += 1;
+                }
+            }
         }
     }
 
@@ -135,6 +136,51 @@ impl Picture<'_> {
             run_at: None,
         })
     }
+}
+
+/// Pixels that a solid is painted on, from column x of row y on.
+struct Canvas<'a, C> {
+    finish: Finish<'a>,
+    x: u32,
+    y: u32,
+    run: &'a mut [C],
+    /// Where there are several solids, how far away what the pixels show is.
+    depths: &'a mut [f32],
+}
+
+impl<C: Paint> Canvas<'_, C> {
+    /// What the i-th ray sees, if it is nearer than what is there.
+    #[inline(never)]
+    fn put(&mut self, i: u32, seen: &Seen) {
+        let at = (i - self.x) as usize;
+        if let Some(pixel) = self.run.get_mut(at) {
+            paint(pixel, self.depths.get_mut(at), &self.finish, i, self.y, seen);
+        }
+    }
+
+    /// What the rays from i up to `to` see that meet the root followed. Not in line: the registers that it keeps
+    /// on the stack are not needed where rays go alone.
+    #[inline(never)]
+    fn follow(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
+        let Self { x, y, ref finish, ref mut run, ref mut depths } = *self;
+        let run = run.get_mut((i - x) as usize..(to - x) as usize).unwrap_or_default();
+        let is_lone = depths.is_empty();
+        along.follow(i, run.iter_mut(), |pixel, i, seen| {
+            let depth = if is_lone { None } else { depths.get_mut((i - x) as usize) };
+            paint(pixel, depth, finish, i, y, seen);
+        })
+    }
+}
+
+#[inline]
+fn paint<C: Paint>(pixel: &mut C, depth: Option<&mut f32>, finish: &Finish, i: u32, y: u32, seen: &Seen) {
+    if let Some(depth) = depth {
+        if !(seen.t < *depth) {
+            return;
+        }
+        *depth = seen.t;
+    }
+    *pixel = C::shade(finish.shades(i, seen), i, y);
 }
 
 /// The pixels of a rectangle of a picture, in the order a display takes them. One run is kept; skipping costs

@@ -1,17 +1,18 @@
 //! A lathe in the world, with a colour.
 
 use crate::camera::Row;
-use crate::color::Rgb;
+use crate::color::{Paint, Rgb};
 use crate::hit::Hit;
-use crate::lathe::{Lathe, Look, Seen, Sweep};
+use crate::lathe::{Lathe, Look, Seen, Stop, Sweep};
 use crate::light::Light;
-use crate::math::{Math, Native};
+use crate::math::inverse_root;
+use crate::math::order::positive;
 use crate::pose::Pose;
 use crate::ray::Ray;
 use crate::rays::Rays;
 use crate::solve::DefaultSolver;
-use crate::surface::{Surface, unit};
-use crate::vector::Vector;
+use crate::surface::Surface;
+use crate::vector::{F32x3, Vector, largest};
 
 /// A turned solid at its place in the world: what it is, where it is, what it looks like.
 ///
@@ -64,6 +65,7 @@ impl<'a> Solid<'a> {
     }
 
     /// A ray of the world in object space, with the same t.
+    #[inline(never)]
     fn ray_into(&self, ray: &Ray) -> Ray {
         Ray {
             origin: self.pose.point_into(ray.origin),
@@ -72,22 +74,26 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The solid as the pixels from `start` to `end` of a row see it.
+    /// The solid as the pixels from `start` to `end` of a row see it, if they do.
+    #[inline(never)]
+    pub(crate) fn along<'s>(&'s self, row: &'s Row, start: u32, end: u32) -> SolidRow<'s> {
+        let last = row.width.max(2) - 1;
+        let [first, other] = [0, last].map(|i| self.ray_into(&row.ray(i)));
+        let sweep = self.lathe.sweep(&Rays::between(&first, &other, last), first.unit, start, end);
+        SolidRow { solid: self, row, sweep }
+    }
+
+    /// How its surface looks in that light, in colours C.
     #[inline(always)]
-    pub(crate) fn along<'s>(&'s self, row: &'s Row, light: &Light, start: u32, end: u32) -> SolidRow<'s> {
-        let (pose, back) = (&self.pose, |v| self.pose.rotation.back(v));
-        let (rays, per_scale) = (row.rays(), 1.0 / pose.scale);
-        let own = Rays {
-            origin: pose.point_into(rays.origin),
-            origin_step: back(rays.origin_step) * per_scale,
-            direction: back(rays.direction),
-            direction_step: back(rays.direction_step),
-        };
-        SolidRow {
+    pub(crate) fn finish<'s, C: Paint>(&'s self, row: &'s Row, light: &Light) -> Finish<'s> {
+        let colour = self.colour.shades(C::SHADES);
+        Finish {
             solid: self,
             row,
-            light: Light { towards: back(light.towards), ..*light },
-            sweep: self.lathe.sweep(&own, per_scale, start, end),
+            towards: self.pose.rotation.back(light.towards),
+            ambient: colour.dimmed(light.ambient),
+            direct: colour.dimmed(1.0 - light.ambient),
+            full: C::SHADES,
         }
     }
 }
@@ -99,23 +105,43 @@ impl defmt::Format for Solid<'_> {
     }
 }
 
-/// A solid along a row of pixels, with the light in the solid's own space.
+/// A solid along a row of pixels.
 pub(crate) struct SolidRow<'a> {
     solid: &'a Solid<'a>,
     row: &'a Row<'a>,
-    light: Light,
     sweep: Sweep<'a>,
 }
 
 impl SolidRow<'_> {
+    /// Whether nothing of it is seen.
+    pub fn is_far(&self) -> bool {
+        self.sweep.is_far
+    }
+
+    #[inline(always)]
+    pub fn followed(&self, i: u32) -> u32 {
+        self.sweep.followed(i)
+    }
+
+    #[inline(always)]
+    pub fn follow<P>(
+        &mut self,
+        i: u32,
+        places: impl Iterator<Item = P>,
+        see: impl FnMut(P, u32, &Seen),
+    ) -> (u32, Stop) {
+        self.sweep.follow(i, places, see)
+    }
+
+    /// The root was followed up to the i-th pixel: what is to be done now?
+    pub fn stopped(&mut self, i: u32, stop: Stop) {
+        self.sweep.stopped(i, stop);
+    }
+
     /// What the i-th ray sees, or the next one to ask for: it again, or the first that may see something.
     #[inline(always)]
     pub fn see(&mut self, i: u32) -> Result<Seen, u32> {
-        if let Some(seen) = self.sweep.follow(i) {
-            return Ok(seen);
-        }
         match self.look(i) {
-            Look::Follow => Err(i),
             Look::Clear(next) => Err(next),
             Look::Unknown => self.alone(i).ok_or(i + 1),
         }
@@ -134,22 +160,49 @@ impl SolidRow<'_> {
         let (ray, lathe) = (self.solid.ray_into(&self.row.ray(i)), self.solid.lathe);
         let hit = lathe.nearest_by::<DefaultSolver>(&ray, 0.0)?;
         self.sweep.found(&hit);
-        let gradient = unit(lathe.gradient_at(ray.at(hit.t), &hit));
+        let gradient = lathe.gradient_at(ray.at(hit.t), &hit);
+        // Very flat or very tall profiles have gradients whose squares are not numbers.
+        let gradient = gradient * (1.0 / largest(gradient));
         Some(Seen { t: hit.t, gradient, sign: if hit.enters { 1.0 } else { -1.0 } })
     }
+}
 
-    /// The colour of what the i-th ray sees. The wall seen from within turns its other side.
+/// How a solid's surface looks along a row.
+#[derive(Clone, Copy)]
+pub(crate) struct Finish<'a> {
+    solid: &'a Solid<'a>,
+    row: &'a Row<'a>,
+    /// Towards the light, in the solid's own space.
+    towards: F32x3,
+    /// What is seen in the shade, and what the light adds where it falls straight, in shades.
+    ambient: Rgb,
+    direct: Rgb,
+    /// White.
+    full: Rgb,
+}
+
+impl Finish<'_> {
+    /// The colour of what the i-th ray sees, in shades. The wall seen from within turns its other side.
     #[inline(always)]
-    pub fn colour(&self, i: u32, seen: &Seen) -> Rgb {
-        let Solid { pose, colour, shininess, .. } = self.solid;
+    pub fn shades(&self, i: u32, seen: &Seen) -> Rgb {
         let Seen { gradient, sign, .. } = *seen;
-        let per_length = sign / Native::sqrt(gradient.dot(gradient));
-        let nl = per_length * gradient.dot(self.light.towards);
-        if *shininess == 0 {
-            return self.light.shade(*colour, 0, nl, 0.0, 0.0);
+        let per_length = sign * inverse_root(gradient.dot(gradient));
+        let nl = per_length * gradient.dot(self.towards);
+        let matt = self.ambient.with(self.direct, positive(nl));
+        if self.solid.shininess == 0 {
+            return matt;
         }
-        let view = unit(pose.rotation.back(self.row.ray(i).direction));
-        let (nv, lv) = (-per_length * gradient.dot(view), -self.light.towards.dot(view));
-        self.light.shade(*colour, *shininess, nl, nv, lv)
+        let Self { solid, row, towards, full, .. } = *self;
+        matt.with(full, highlight(solid, row, i, towards, gradient * per_length, nl)).least(full)
     }
+}
+
+/// The share of white that the i-th ray sees, given the direction of the light and the normal, and n·l.
+#[cold]
+#[inline(never)]
+fn highlight(solid: &Solid, row: &Row, i: u32, towards: F32x3, normal: F32x3, nl: f32) -> f32 {
+    let view = solid.pose.rotation.back(row.ray(i).direction);
+    let per_length = -inverse_root(view.dot(view));
+    let (nv, lv) = (per_length * normal.dot(view), per_length * towards.dot(view));
+    Light::highlight(solid.shininess, nl, nv, lv)
 }

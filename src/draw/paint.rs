@@ -11,13 +11,11 @@ use embedded_graphics_core::pixelcolor::{
 macro_rules! channels {
     ($($colour:ty),*) => {$(
         impl Paint for $colour {
+            const SHADES: Rgb = Rgb::new(Self::MAX_R as f32, Self::MAX_G as f32, Self::MAX_B as f32);
+
             #[inline(always)]
-            fn paint(colour: Rgb, _: u32, _: u32) -> Self {
-                Self::new(
-                    nearest(colour.r, Self::MAX_R),
-                    nearest(colour.g, Self::MAX_G),
-                    nearest(colour.b, Self::MAX_B),
-                )
+            fn shade(shades: Rgb, _: u32, _: u32) -> Self {
+                Self::new(nearest(shades.r), nearest(shades.g), nearest(shades.b))
             }
         }
     )*};
@@ -25,36 +23,50 @@ macro_rules! channels {
 
 channels!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
 
-/// How bright a colour is: the weights of ITU-R BT.601.
+/// How much of each channel's light makes how bright a colour is, times the brightest shade: the weights of
+/// ITU-R BT.601.
+const fn luma(most: f32) -> Rgb {
+    Rgb::new(0.299 * most, 0.587 * most, 0.114 * most)
+}
+
+/// The shade that three channels' come to.
 #[inline(always)]
-fn luma(colour: Rgb) -> f32 {
-    0.299 * colour.r + 0.587 * colour.g + 0.114 * colour.b
+fn sum(shades: Rgb) -> f32 {
+    shades.r + shades.g + shades.b
 }
 
 impl Paint for Gray8 {
+    const SHADES: Rgb = luma(255.0);
+
     #[inline(always)]
-    fn paint(colour: Rgb, _: u32, _: u32) -> Self {
-        Self::new(nearest(luma(colour), 255))
+    fn shade(shades: Rgb, _: u32, _: u32) -> Self {
+        Self::new(nearest(sum(shades)))
     }
 }
 
 impl Paint for Gray4 {
+    const SHADES: Rgb = luma(15.0);
+
     #[inline(always)]
-    fn paint(colour: Rgb, x: u32, y: u32) -> Self {
-        Self::new(dithered(luma(colour), 15, x, y))
+    fn shade(shades: Rgb, x: u32, y: u32) -> Self {
+        Self::new(dithered(sum(shades), x, y))
     }
 }
 
 impl Paint for Gray2 {
+    const SHADES: Rgb = luma(3.0);
+
     #[inline(always)]
-    fn paint(colour: Rgb, x: u32, y: u32) -> Self {
-        Self::new(dithered(luma(colour), 3, x, y))
+    fn shade(shades: Rgb, x: u32, y: u32) -> Self {
+        Self::new(dithered(sum(shades), x, y))
     }
 }
 
 impl Paint for BinaryColor {
+    const SHADES: Rgb = luma(1.0);
+
     #[inline(always)]
-    fn paint(colour: Rgb, x: u32, y: u32) -> Self {
-        Self::from(dithered(luma(colour), 1, x, y) == 1)
+    fn shade(shades: Rgb, x: u32, y: u32) -> Self {
+        Self::from(dithered(sum(shades), x, y) == 1)
     }
 }

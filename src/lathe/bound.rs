@@ -2,11 +2,16 @@
 
 use crate::cubic::Cubic;
 use crate::math::order::greater;
+use crate::math::{Math, Native};
 
-/// A bound on a cubic from `-before` to `beyond`, where `c3·s³ ≤ |c3|·l·s²`.
+/// The greatest value of a cubic from `-before` to `beyond`: at an end, or where g′ = 0 and falls.
 pub(super) fn most(g: &Cubic, before: f32, beyond: f32) -> f32 {
-    let [c0, c1, c2, c3] = g.c;
-    c0 + highest(c1, c2 + greater(c3 * beyond, -c3 * before), before, beyond)
+    let [_, c1, c2, c3] = g.c;
+    let ends = greater(g.at(-before), g.at(beyond));
+    // Of the two forms of that root the one that does not cancel.
+    let root = Native::sqrt(c2 * c2 - 3.0 * c3 * c1);
+    let top = if c2 > 0.0 { -(c2 + root) / (3.0 * c3) } else { c1 / (root - c2) };
+    if -before < top && top < beyond { greater(ends, g.at(top)) } else { ends }
 }
 
 /// The greatest value of `c1·s + c2·s²` from `-before` to `beyond`.

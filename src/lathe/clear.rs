@@ -3,9 +3,11 @@
 use super::bound::{highest, most};
 use super::path::{Path, flat};
 use super::sweep::Sweep;
+use super::walk::entered;
 use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
 use crate::math::{Math, Native};
+use crate::vector::F32x3;
 
 /// How high g comes along a ray.
 pub(super) struct Crest {
@@ -19,36 +21,35 @@ impl Sweep<'_> {
     /// A bound on g along a ray.
     ///
     /// From one point of it, the one nearest to the axis, if g is concave all along the ray but for kinks:
-    /// `g ≤ g₀ + (A ± J)·x + K·x²` (`first.rs`). Otherwise from one point in each segment.
+    /// `g ≤ g₀ + (A ± J)·x + K·x²` (`first.rs`). Otherwise, and where that does not tell, from one point in each
+    /// segment.
     #[inline(always)]
-    pub(super) fn crest(&self, path: &Path) -> Crest {
-        let segments = self.lathe.segments;
+    fn crest(&self, path: &Path) -> Crest {
         let (near, far) = path.slab(self.lathe.frame.low, self.lathe.frame.high);
         let (near, far) = (greater(-self.span, near), lesser(self.span, far));
-        let mut crest = Crest { g: f32::NEG_INFINITY, entry: None };
-        if !(near < far) {
-            return crest;
-        }
-        let all = self.all();
+        let (all, segments) = (self.all(), self.lathe.segments);
         let k = all.bulge * (self.steep * self.steep) - self.q;
-        if k < -0.5 * self.q {
+        if k < -0.5 * self.q && near < far {
             let at = path.closest(near, far);
-            let index = self.at_height(path.height(at));
-            if let Some(segment) = segments.get(index) {
-                let g = path.g_about(segment, at);
-                let [c0, c1, ..] = g.c;
+            if let Some(segment) =
+                segments.get(entered(path, segments, at, if path.rises() { 1 } else { usize::MAX }))
+            {
+                let [c0, c1, ..] = path.g_about(segment, at).c;
                 let j = all.kinks * self.steep;
-                let mut rise = highest(c1 + j, k, 0.0, far - at);
-                if c1 < j {
-                    rise = greater(rise, highest(c1 - j, k, at - near, 0.0));
-                }
-                crest.g = c0 + rise;
-                if !(crest.g < -self.doubt) {
-                    crest.entry = Some((index, greater(near, at + entry(&g))));
+                let rise = greater(highest(c1 + j, k, 0.0, far - at), highest(c1 - j, k, at - near, 0.0));
+                if c0 + rise < -self.doubt {
+                    return Crest { g: c0 + rise, entry: None };
                 }
             }
-            return crest;
         }
+        self.crest_by_segments(path, 1.0, near, far)
+    }
+
+    /// A bound on g, or on its negative, along a ray between two points of it, by the cubics of the segments.
+    #[inline(never)]
+    pub(super) fn crest_by_segments(&self, path: &Path, sign: f32, near: f32, far: f32) -> Crest {
+        let segments = self.lathe.segments;
+        let mut crest = Crest { g: f32::NEG_INFINITY, entry: None };
         for step in 0..segments.len() {
             let index = if path.rises() { step } else { segments.len() - 1 - step };
             let Some(segment) = segments.get(index) else {
@@ -57,57 +58,148 @@ impl Sweep<'_> {
             let (from, to) = path.slab(segment.low, segment.high);
             let (from, to) = (greater(near, from), lesser(far, to));
             let at = path.closest(from, to);
-            if from < to && segment.reach - path.around(at).0 > crest.g {
-                let g = path.g_about(segment, at);
-                let most = most(&g, at - from, to - at);
-                if !(most < -self.doubt) && crest.entry.is_none() {
+            // As high as it can come in the segment's cylinder, if that tells enough.
+            let mut most_here = segment.reach - path.around(at).0;
+            if !(from < to && (sign < 0.0 || most_here > crest.g)) {
+                continue;
+            }
+            if sign < 0.0 || !(most_here < -self.doubt) {
+                let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
+                most_here = most(&g, at - from, to - at);
+                if !(most_here < -self.doubt) && crest.entry.is_none() {
                     crest.entry = Some((index, greater(from, at + entry(&g))));
                 }
-                crest.g = greater(crest.g, most);
             }
+            crest.g = greater(crest.g, most_here);
         }
         crest
     }
 
-    /// The segment at a height, looked for from the last one.
-    fn at_height(&self, z: f32) -> usize {
-        let segments = self.lathe.segments;
-        let mut index = self.index;
-        while segments.get(index + 1).is_some_and(|next| next.low < z) {
-            index += 1;
+    /// With no root to follow, the next pixel that may see something, from the i-th on: none before it does. The
+    /// i-th itself, if it may; then a root is followed, if it is known where to.
+    pub(super) fn clear_until(&mut self, i: u32) -> u32 {
+        let path = self.path(i);
+        let crest = self.crest(&path);
+        if !(crest.g < -self.doubt) {
+            if let Some((index, s)) = crest.entry {
+                self.begin(index, s, 1.0);
+            }
+            return i;
         }
-        while segments.get(index).is_some_and(|this| z < this.low) && index > 0 {
-            index -= 1;
-        }
-        index
+        let left = self.end - i - 1;
+        let clear = match crest.g {
+            // The same heights all along the row, and nothing there.
+            f32::NEG_INFINITY if self.drift == 0.0 => left,
+            // All of the ray is outside the ball around the solid: there g is below zero, by as much as you like or
+            // as little.
+            f32::NEG_INFINITY => Pace::of(self, i, &path, left).pixels(&path, 0.0),
+            g => Pace::of(self, i, &path, left).pixels(&path, -g - self.doubt),
+        };
+        i + 1 + clear.min(left)
+    }
+}
+
+/// How fast g grows from pixel to pixel at the heights of one ray.
+///
+/// At a height, the point that a ray has there moves along a line as the pixel's number grows, the row of rays'
+/// own at that height, and always the same way; g is what F is there less the square of its distance from the
+/// axis. So g grows as far as the pixel whose ray is nearest to the axis there, slower and slower, and falls
+/// from there on.
+pub(super) struct Pace {
+    /// How far the point at the height of s moves, `v0 + v1·s`.
+    v: [F32x3; 2],
+    /// The derivative of g by the pixel's number there, `p0 + p1·s + p2·s²`.
+    p: [f32; 3],
+    /// The heights are those of s from here to there. Beyond the span this ray is outside the ball around the
+    /// solid, others may not be.
+    from: f32,
+    to: f32,
+    span: f32,
+    /// For so many pixels the rays go on rising or falling, no less than 7/8 as steeply: so the points at a
+    /// height move no more than 8/7 as fast.
+    level: f32,
+    /// The square of the bounding cylinder's radius.
+    reach: f32,
+}
+
+impl Pace {
+    /// From the i-th ray on, for so many pixels.
+    pub fn of(sweep: &Sweep, i: u32, path: &Path, pixels: u32) -> Self {
+        let ((m, d), frame) = (sweep.rays.at(i), sweep.lathe.frame);
+        let (m1, d1) = (sweep.rays.origin_step, sweep.rays.direction_step);
+        // The point of height z moves by as much as the ray does, and along it so far that z stays.
+        let (per_dz, level) = if sweep.drift > 0.0 {
+            (path.per_dz, d.z.abs() / (8.0 * d1.z.abs()))
+        } else {
+            (0.0, f32::INFINITY)
+        };
+        let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
+        let p = [flat(m, v0), flat(m, v1) + flat(d, v0), flat(d, v1)].map(|p| -2.0 * p);
+        // What the solid can be at on any of the rays.
+        let pixels = lesser(pixels as f32, level);
+        let beyond = sweep.span + pixels * sweep.drift * per_dz.abs();
+        let (from, to) = path.slab(frame.low, frame.high);
+        let (from, to) = (greater(-beyond, from), lesser(beyond, to));
+        Self { v: [v0, v1], p, from, to, span: sweep.span, level, reach: frame.reach }
     }
 
-    /// How many pixels after the i-th, whose g is at most `crest`, see nothing either.
+    /// Only as far as s.
+    pub fn up_to(self, s: f32) -> Self {
+        Self { to: lesser(s, self.to), ..self }
+    }
+
+    /// At the height of s.
+    fn at(&self, s: f32) -> f32 {
+        let [p0, p1, p2] = self.p;
+        (p2 * s + p1) * s + p0
+    }
+
+    /// The square of how far the point at the height of s moves.
+    fn square_at(&self, s: f32) -> f32 {
+        let [v0, v1] = self.v;
+        let v = v0 + v1 * s;
+        flat(v, v)
+    }
+
+    /// How many pixels there are before g, `room` below zero now, can have come to zero anywhere.
     ///
-    /// From each to the next g grows by Γ at most, within the span: `F′·∂z/∂i − 2⟨P, ∂P/∂i⟩`. Only at the ends
-    /// of the profile there comes to be what was not there; as wide as the ends are it could be.
-    #[inline(always)]
-    pub(super) fn clear_after(&self, i: u32, path: &Path, crest: f32) -> u32 {
-        let ((m, d), span) = (self.rays.at(i), self.span);
-        let (m1, d1) = (self.rays.origin_step, self.rays.direction_step);
-        let frame = self.lathe.frame;
-        let most = span * ((flat(m, d1) + flat(d, m1)).abs() + span * flat(d, d1).abs()) - flat(m, m1);
-        let growth = greater(0.0, 2.0 * most) + frame.steepest * self.drift;
-        let mut n = (self.end - i).min(((-crest - self.doubt) / growth) as u32);
-        let (near, far) = path.slab(frame.low, frame.high);
-        while n > 0 && self.drift > 0.0 {
-            let width = self.drift * n as f32 * path.per_dz.abs();
-            let is_clear = |from, to| {
-                let (from, to) = (greater(-span, from), lesser(span, to));
-                let square = path.around(path.closest(from, to)).0;
-                !(from <= to) || frame.ends - square + growth * (n as f32) < -self.doubt
-            };
-            if is_clear(near - width, near) && is_clear(far, far + width) {
-                break;
+    /// In n pixels it grows by n times its pace, or less. So it does for room/pace pixels as long as the ray
+    /// is in the cylinder in which x² + y² is no more than the largest F and twice the room. Outside, g is below
+    /// −2·room, and ever farther below as x² + y² grows along the ray faster than n times the pace.
+    pub fn pixels(&self, path: &Path, room: f32) -> u32 {
+        let [_, p1, p2] = self.p;
+        let mut room = room;
+        for (from, to) in [(self.from, -self.span), (self.span, self.to)] {
+            if from < to {
+                room = lesser(room, greater(0.0, path.around(path.closest(from, to)).0 - self.reach));
             }
-            n /= 4;
         }
-        n
+        let room = greater(room, path.square - self.reach);
+        let half = Native::sqrt((self.reach + 2.0 * room - path.square) / path.q);
+        let within = |s| lesser(self.to, greater(self.from, s));
+        let (from, to) = (within(path.nearest - half), within(path.nearest + half));
+        let slope = |s: f32| p1 + 2.0 * p2 * s;
+        let most = self.at(from) + highest(slope(from), p2, 0.0, to - from);
+        let steepest = greater(-slope(from), slope(to));
+        let mut n = lesser(self.level, 1e9);
+        for (room, pace) in [(room, most), (2.0 * path.q * half, steepest), (path.q, p2)] {
+            if !(pace <= 0.0) {
+                n = lesser(n, 0.875 * room / pace);
+            }
+        }
+        n as u32
+    }
+
+    /// How many pixels there are before g, `room` above zero now, can have come to zero anywhere: as the square
+    /// of the distance from the axis it falls by no more than n times its pace and n² times the square of how far
+    /// the point moves.
+    pub fn pixels_within(&self, room: f32) -> u32 {
+        let [_, p1, p2] = self.p.map(|p| -p);
+        let (from, to) = (self.from, self.to);
+        let growth = -self.at(from) + highest(p1 + 2.0 * p2 * from, p2, 0.0, to - from);
+        let q = greater(self.square_at(from), self.square_at(to));
+        let n = 2.0 * room / (growth + Native::sqrt(growth * growth + 4.0 * q * room));
+        lesser(self.level, 0.875 * n) as u32
     }
 }
 

@@ -6,64 +6,94 @@
 //! `g ≤ −(A − J)·x + K·x²`, K = bulge·dz² − q, J = kinks·|dz|,
 //!
 //! with the bounds of [`Cover`](super::segment::Cover). That is negative for good where `K ≤ 0 < A − J`: one
-//! comparison a pixel. Where K is positive it is as far as `x = (A − J)/K`, and farther off the ray must be
-//! outside the cylinder of what it may have passed. Where that does not tell either, or the root leaves, its
-//! ray's cubic in each segment before does.
+//! comparison a pixel.
+//!
+//! Where K is positive, and where a root leaves, a look at the ray's cubics in the segments before the root's
+//! tells that g keeps its sign there, and for how many pixels more. In the root's own segment its K tells, if
+//! that is not positive, and otherwise that segment's cubic, pixel by pixel.
 
-use super::bound::most;
-use super::path::{Path, flat};
+use super::clear::Pace;
+use super::path::Path;
+use super::segment::Cover;
 use super::sweep::Sweep;
-use crate::cubic::Cubic;
 use crate::math::order::greater;
-use crate::vector::F32x3;
+
+/// How a root is known to be the first, before the pixel `until`: by its slope, if that is more than `slope`,
+/// or, if `by_cubic`, by the cubic in its own segment.
+pub(super) struct First {
+    pub slope: f32,
+    pub by_cubic: bool,
+    pub until: u32,
+}
+
+impl First {
+    /// None is known to be.
+    pub const UNKNOWN: Self = Self { slope: f32::INFINITY, by_cubic: false, until: u32::MAX };
+}
 
 impl Sweep<'_> {
-    /// Whether g is negative all along the ray before a root of the given slope, though K is positive; `b` is
-    /// half the slope of x² + y² there, f the squared radius.
-    #[inline(always)]
-    pub(super) fn is_first(&self, slope: f32, b: f32, f: f32, d: F32x3) -> bool {
-        let (a, k) = (slope - self.j, self.k);
-        let is_beyond = || (self.reach - f) * (k * k) <= a * (a * flat(d, d) - 2.0 * b * k);
-        k > 0.0 && a > self.slack && b < 0.0 && is_beyond()
+    /// What the bounds of all that the rays may have passed tell.
+    pub(super) fn first_by_cover(&self) -> First {
+        let Cover { bulge, kinks } = match self.rising {
+            Some(true) => self.segment.below,
+            Some(false) => self.segment.above,
+            None => self.all(),
+        };
+        if self.sign > 0.0 && bulge * (self.steep * self.steep) <= self.q {
+            First { slope: kinks * self.steep + self.slack, ..First::UNKNOWN }
+        } else {
+            First::UNKNOWN
+        }
     }
 
-    /// The same, segment by segment, of a root that enters or leaves. One that leaves must come through an
-    /// open end: then g is positive before it.
-    #[inline(never)]
-    pub(super) fn is_first_by_segments(&self, i: u32, s: f32) -> bool {
-        let (m, d) = self.rays.at(i);
-        let path = Path::about(m, d, 0.0, 1.0);
-        let (up, sign) = (path.rises(), self.sign);
-
-        // In its own segment g(s − x) = −x·(A − c2·x + c3·x²): the bracket is positive where x ends, and at
-        // its vertex if that is between.
-        let [_, a, c2, c3] = path.g_about(self.segment, s).c.map(|c| sign * c);
-        let l = s - greater(-self.span, path.slab(self.segment.low, self.segment.high).0);
-        let has_vertex = c2 > 0.0 && c3 > 0.0 && c2 < 2.0 * c3 * l;
-        if !(a > self.slack && a + (c3 * l - c2) * l > self.doubt && (!has_vertex || c2 * c2 < 4.0 * a * c3))
-        {
+    /// Looks whether g keeps its sign before the i-th ray comes to the segment of its root, and for how long
+    /// it will: from there on it is for the root's slope or its cubic to tell. A root that leaves must come
+    /// through an open end: then g is positive before it.
+    pub(super) fn certify(&mut self, i: u32) -> bool {
+        let (path, segment, sign) = (self.path(i), self.segment, self.sign);
+        let frame = self.lathe.frame;
+        let end = if path.rises() { frame.base } else { frame.top };
+        if sign < 0.0 && end.is_some() || !self.is_clear_within(&path, self.s) {
             return false;
         }
-
-        let mut index = self.index;
-        loop {
-            index = if up { index.wrapping_sub(1) } else { index + 1 };
-            let Some(segment) = self.lathe.segments.get(index) else {
-                break;
-            };
-            let (from, to) = path.slab(segment.low, segment.high);
-            let from = greater(-self.span, from);
-            let cover = if up { segment.below } else { segment.above };
-            if sign > 0.0 && cover.reach - path.around(path.closest(-self.span, to)).0 < -self.doubt {
-                return true;
-            }
-            let at = path.closest(from, to);
-            let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
-            if !(most(&g, at - from, to - at) < -self.doubt) {
-                return false;
-            }
+        let (near, _) = path.slab(frame.low, frame.high);
+        let entry = self.entry(&path);
+        let before = self.crest_by_segments(&path, sign, greater(-self.span, near), entry).g;
+        if !(before < -self.doubt) {
+            return false;
         }
-        let end = if up { self.lathe.frame.base } else { self.lathe.frame.top };
-        sign > 0.0 || end.is_none()
+        let pace = Pace::of(self, i, &path, AHEAD).up_to(entry);
+        let room = -before - self.doubt;
+        let n = if sign > 0.0 { pace.pixels(&path, room) } else { pace.pixels_within(room) };
+        let is_concave = sign > 0.0 && segment.bulge() * (self.steep * self.steep) <= self.q;
+        let slope = if is_concave { self.slack } else { f32::INFINITY };
+        self.first = First { slope, by_cubic: true, until: i + 1 + n.min(AHEAD) };
+        true
+    }
+
+    /// Where a ray comes to the segment of its root.
+    fn entry(&self, path: &Path) -> f32 {
+        greater(-self.span, path.slab(self.segment.low, self.segment.high).0)
+    }
+
+    /// Whether g keeps its sign before a root at s in the root's own segment: `g(s − x) = −x·(A − c2·x + c3·x²)`,
+    /// and the bracket is above doubt where x ends, and at its vertex if that is between.
+    fn is_clear_within(&self, path: &Path, s: f32) -> bool {
+        let [_, a, c2, c3] = path.g_about(self.segment, s).c.map(|c| self.sign * c);
+        let l = s - self.entry(path);
+        let has_vertex = c2 > 0.0 && c3 > 0.0 && c2 < 2.0 * c3 * l;
+        a > self.slack
+            && a + (c3 * l - c2) * l > self.doubt
+            && (!has_vertex || c2 * c2 < 4.0 * (a - self.doubt) * c3)
+    }
+
+    /// The same of the i-th ray, if what comes before that segment is clear.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn is_first_by_cubic(&self, i: u32, s: f32) -> bool {
+        self.first.by_cubic && self.is_clear_within(&self.path(i), s)
     }
 }
+
+/// For how many pixels a look at the segments before a root may do.
+const AHEAD: u32 = 64;

@@ -6,7 +6,7 @@ use crate::profile::Span;
 ///
 /// ```
 /// use embedded_lathe::Segment;
-/// assert_eq!(core::mem::size_of::<Segment>(), 76);
+/// assert_eq!(core::mem::size_of::<Segment>(), 68);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -33,8 +33,6 @@ pub struct Segment {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Cover {
-    /// The square of the radius of a cylinder around it.
-    pub reach: f32,
     /// Half the largest second derivative of the squared radius by height, or zero.
     pub bulge: f32,
     /// The sum of all jumps upwards of the first, at joins.
@@ -42,15 +40,11 @@ pub(super) struct Cover {
 }
 
 impl Cover {
-    pub const NONE: Self = Self { reach: 0.0, bulge: 0.0, kinks: 0.0 };
+    pub const NONE: Self = Self { bulge: 0.0, kinks: 0.0 };
 
     /// With one segment more, beyond a jump.
     const fn and(self, segment: &Segment, jump: f32) -> Self {
-        Self {
-            reach: self.reach.max(segment.reach),
-            bulge: self.bulge.max(segment.bulge()),
-            kinks: self.kinks + jump.max(0.0),
-        }
+        Self { bulge: self.bulge.max(segment.bulge()), kinks: self.kinks + jump.max(0.0) }
     }
 }
 
@@ -141,7 +135,7 @@ impl Segment {
     }
 
     /// The profile's parameter at a height of the frame, held to the segment.
-    #[inline(always)]
+    #[inline]
     pub(super) fn parameter(&self, z: f32) -> f32 {
         let u = (z - self.low) * self.per_height;
         lesser(1.0, greater(0.0, u))
@@ -149,23 +143,12 @@ impl Segment {
 
     /// The squared radius and its derivative by u, in Bernstein form, 0 ≤ u ≤ 1: exact to a few units of 2⁻²⁴
     /// where no ordinate is negative.
-    #[inline(always)]
+    #[inline]
     pub(super) fn at(&self, u: f32) -> (f32, f32) {
         let [b0, b1, b2, b3] = self.b;
         let v = 1.0 - u;
         let (c0, c1, c2) = (b0 * v + b1 * u, b1 * v + b2 * u, b2 * v + b3 * u);
         let (d0, d1) = (c0 * v + c1 * u, c1 * v + c2 * u);
         (d0 * v + d1 * u, 3.0 * (d1 - d0))
-    }
-
-    /// The squared radius and its first two derivatives by u, by Horner's rule: also a little beyond the
-    /// segment's ends.
-    #[inline(always)]
-    pub(super) fn slopes(&self, u: f32) -> (f32, f32, f32) {
-        let [c0, c1, c2, c3] = self.f;
-        let p2 = c3 * u + c2;
-        let p1 = p2 * u + c1;
-        let q2 = c3 * u + p2;
-        (p1 * u + c0, q2 * u + p1, 2.0 * (c3 * u + q2))
     }
 }

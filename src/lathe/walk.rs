@@ -91,8 +91,8 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
 
 /// The number of the segment in whose slab the path is at t, by steps of half of what remains. In the path's
 /// order numbers differ by `step`, 1 or −1.
-#[inline(always)]
-fn entered(path: &Path, segments: &[Segment], t: f32, step: usize) -> usize {
+#[inline(never)]
+pub(super) fn entered(path: &Path, segments: &[Segment], t: f32, step: usize) -> usize {
     let mut index = if step == 1 { 0 } else { segments.len().wrapping_sub(1) };
     let mut stride = segments.len();
     while stride > 1 {

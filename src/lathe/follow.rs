@@ -1,0 +1,148 @@
+//! A root, followed from ray to ray: the innermost loop.
+
+use super::sweep::Sweep;
+use crate::vector::{F32x3, vector};
+
+/// What a ray sees of the surface.
+#[derive(Clone, Copy)]
+pub(crate) struct Seen {
+    /// How far along the ray.
+    pub t: f32,
+    /// A vector along the outward normal, in object space.
+    pub gradient: F32x3,
+    /// 1 where the ray enters the solid, −1 where it leaves it.
+    pub sign: f32,
+}
+
+/// How often Newton's method, or a change of segment, is tried before the ray goes alone.
+pub(super) const STEPS: u32 = 4;
+
+/// For how many pixels rays may be added up.
+const FRESH: u32 = 64;
+
+/// Why a root is followed no farther.
+#[derive(Clone, Copy)]
+pub(crate) enum Stop {
+    /// So far, and no farther, was asked for.
+    End,
+    /// It is not known to be the first.
+    Uncertain,
+    /// It has left the segment at this u.
+    Left(f32),
+    /// There is none.
+    Lost,
+}
+
+impl Sweep<'_> {
+    /// The pixel as far as which the root can be followed from the i-th: i if there is none.
+    #[inline(always)]
+    pub fn followed(&self, i: u32) -> u32 {
+        if self.following { self.end.min(i + FRESH).min(self.first.until) } else { i }
+    }
+
+    /// Follows the root from the i-th pixel on, to as many as `places` says, and hands over what each sees.
+    /// The first pixel that it is not certain of, if any, is the one returned.
+    #[inline(always)]
+    pub fn follow<P>(
+        &mut self,
+        mut i: u32,
+        places: impl Iterator<Item = P>,
+        mut see: impl FnMut(P, u32, &Seen),
+    ) -> (u32, Stop) {
+        let segment = self.segment;
+        let own = |v: F32x3, from: f32| vector([v.x, v.y, (v.z - from) * segment.per_height]);
+        let (m, d) = self.rays.at(i);
+        let (mut m, mut d) = (own(m, segment.low), own(d, 0.0));
+        let (m1, d1) = (own(self.rays.origin_step, 0.0), own(self.rays.direction_step, 0.0));
+        let [c0, c1, c2, c3] = segment.f;
+        // Half of −F′, as a gradient has it.
+        let along = -0.5 * segment.per_height;
+        let [e0, e1, e2] = [along * c1, along * 2.0 * c2, along * 3.0 * c3];
+        let root_squash = self.lathe.frame.root_squash;
+        let certain = self.first.slope;
+        let (sign, tolerance) = (self.sign, self.tolerance);
+        let (from, width) = (self.from, (self.to - self.from).to_bits());
+        let (mut s, mut step, mut bend) = (self.s, self.step, self.bend);
+        let start = i;
+
+        let mut stop = Stop::End;
+        'pixels: for place in places {
+            let guess = s;
+            let mut tries = STEPS;
+            loop {
+                let (x, y, u) = (m.x + s * d.x, m.y + s * d.y, m.z + s * d.z);
+                let c3u = c3 * u;
+                let p2 = c3u + c2;
+                let p1 = p2 * u + c1;
+                let f = p1 * u + c0;
+                let f1 = (c3u + p2) * u + p1;
+                let b = x * d.x + y * d.y;
+                let slope = f1 * d.z - (b + b);
+                let back = (f - (x * x + y * y)) / slope;
+                s -= back;
+                let steep = sign * slope;
+                if !(back * back <= tolerance * steep) {
+                    seldom();
+                    tries -= 1;
+                    if tries == 0 || !(steep > 0.0) {
+                        stop = Stop::Lost;
+                        break 'pixels;
+                    }
+                    continue;
+                }
+                let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
+                if (u - from).to_bits() > width {
+                    stop = Stop::Left(u);
+                    break 'pixels;
+                }
+                if !(steep > certain || self.is_first_by_cubic(i, s)) {
+                    stop = Stop::Uncertain;
+                    break 'pixels;
+                }
+                let e = (e2 * u + e1) * u + e0;
+                let t = (self.shift + s) * self.per_unit;
+                see(place, i, &Seen { t, gradient: vector([root_squash * x, y, e]), sign });
+                break;
+            }
+            // As far again, and by how much that grew again.
+            bend += s - guess;
+            step += bend;
+            s += step + bend;
+            m = m + m1;
+            d = d + d1;
+            i += 1;
+        }
+        (self.s, self.step, self.bend) = (s, step, bend);
+        if i > start {
+            self.tries = STEPS;
+        }
+        (i, stop)
+    }
+
+    /// What is to be done where a root is followed no farther: the next segment's, another certificate, or none.
+    #[inline(never)]
+    pub fn stopped(&mut self, i: u32, stop: Stop) {
+        self.tries -= 1;
+        let go_on = self.tries > 0
+            && match stop {
+                Stop::End => self.first.until > i || self.enter(self.index),
+                Stop::Uncertain => self.certify(i),
+                Stop::Left(u) => {
+                    self.enter(if u > 0.5 { self.index + 1 } else { self.index.wrapping_sub(1) })
+                }
+                Stop::Lost => false,
+            };
+        if !go_on {
+            self.following = false;
+            // Looking would find the same root, unless there is none.
+            if !matches!(stop, Stop::Lost) {
+                self.looked = i;
+            }
+        }
+    }
+}
+
+/// Tells the compiler which way not to lay out for speed.
+#[cold]
+#[inline(always)]
+fn seldom() {}

@@ -65,7 +65,7 @@ impl<'a> Solid<'a> {
     }
 
     /// A ray of the world in object space, with the same t.
-    #[inline(never)]
+    #[inline]
     fn ray_into(&self, ray: &Ray) -> Ray {
         Ray {
             origin: self.pose.point_into(ray.origin),

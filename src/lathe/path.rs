@@ -36,7 +36,7 @@ impl Path {
     }
 
     /// The path along `o + t·d`, in the frame, x scaled by √k.
-    #[inline(never)]
+    #[inline(always)]
     pub fn about(o: F32x3, d: F32x3, shift: f32, unit: f32) -> Self {
         let q = flat(d, d);
         // Parallel to the axis, it is as near everywhere.

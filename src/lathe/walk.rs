@@ -91,7 +91,7 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
 
 /// The number of the segment in whose slab the path is at t, by steps of half of what remains. In the path's
 /// order numbers differ by `step`, 1 or −1.
-#[inline(never)]
+#[inline]
 pub(super) fn entered(path: &Path, segments: &[Segment], t: f32, step: usize) -> usize {
     let mut index = if step == 1 { 0 } else { segments.len().wrapping_sub(1) };
     let mut stride = segments.len();

@@ -108,8 +108,8 @@ impl Sweep<'_> {
             bend += s - guess;
             step += bend;
             s += step + bend;
-            m = m + m1;
-            d = d + d1;
+            m += m1;
+            d += d1;
             i += 1;
         }
         (self.s, self.step, self.bend) = (s, step, bend);

@@ -16,7 +16,7 @@
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
 //! (`walk.rs`.)
 //!
-//! The rays of a row of pixels are followed together: `sweep.rs`, and what certifies it, `first.rs` and
+//! The rays of a row of pixels are followed together: `sweep.rs`, `follow.rs`, and what certifies it, `first.rs` and
 //! `clear.rs`.
 
 mod bound;

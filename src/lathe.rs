@@ -31,7 +31,7 @@ mod walk;
 
 pub(crate) use follow::{Seen, Stop};
 pub use segment::Segment;
-pub(crate) use sweep::{Look, Sweep};
+pub(crate) use sweep::Sweep;
 
 use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};

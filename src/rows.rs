@@ -96,14 +96,14 @@ impl Picture<'_> {
     /// A solid, where it is nearer than what is there. A lone one needs no depths.
     #[inline(never)]
     fn solid<C: Paint>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depths: &mut [f32]) {
-        let end = x + run.len() as u32;
-        let mut along = solid.along(row, x, end);
+        let mut along = solid.along(row, x, x + run.len() as u32);
         if along.is_far() {
             return;
         }
-        let mut canvas =
-            Canvas { finish: solid.finish::<C>(row, &self.scene.light), x, y: row.y, run, depths };
-        let mut i = x;
+        let finish = solid.finish::<C>(row, &self.scene.light);
+        let mirrored = along.mirrored(&finish);
+        let mut canvas = Canvas { finish, mirrored, x, y: row.y, run, depths };
+        let (mut i, end) = (x, along.end());
         while i < end {
             let to = along.followed(i);
             if to > i {
@@ -112,13 +112,15 @@ impl Picture<'_> {
                 i = next;
                 continue;
             }
-            match along.see(i) {
-                Err(next) => i = next,
-                Ok(seen) => {
-                    canvas.put(i, &seen);
-                    i += 1;
-                }
+            if let Some(next) = along.look(i) {
+                i = next;
+                continue;
             }
+            if canvas.mirrored.is_some() {
+                canvas.alone(&mut along, canvas.opposite(i));
+            }
+            canvas.alone(&mut along, i);
+            i += 1;
         }
     }
 
@@ -141,6 +143,8 @@ impl Picture<'_> {
 /// Pixels that a solid is painted on, from column x of row y on.
 struct Canvas<'a, C> {
     finish: Finish<'a>,
+    /// If the right half sees the left one's mirror image: how that looks.
+    mirrored: Option<Finish<'a>>,
     x: u32,
     y: u32,
     run: &'a mut [C],
@@ -149,12 +153,19 @@ struct Canvas<'a, C> {
 }
 
 impl<C: Paint> Canvas<'_, C> {
-    /// What the i-th ray sees, if it is nearer than what is there.
+    /// The pixel as far from the right end as the i-th is from the left.
+    fn opposite(&self, i: u32) -> u32 {
+        2 * self.x + self.run.len() as u32 - 1 - i
+    }
+
+    /// What the i-th ray sees by itself, if it is nearer than what is there.
     #[inline(never)]
-    fn put(&mut self, i: u32, seen: &Seen) {
+    fn alone(&mut self, along: &mut SolidRow, i: u32) {
         let at = (i - self.x) as usize;
-        if let Some(pixel) = self.run.get_mut(at) {
-            paint(pixel, self.depths.get_mut(at), &self.finish, i, self.y, seen);
+        if let Some(seen) = along.alone(i)
+            && let Some(pixel) = self.run.get_mut(at)
+        {
+            paint(pixel, self.depths.get_mut(at), &self.finish, i, (i, self.y), &seen);
         }
     }
 
@@ -162,25 +173,43 @@ impl<C: Paint> Canvas<'_, C> {
     /// on the stack are not needed where rays go alone.
     #[inline(never)]
     fn follow(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
-        let Self { x, y, ref finish, ref mut run, ref mut depths } = *self;
-        let run = run.get_mut((i - x) as usize..(to - x) as usize).unwrap_or_default();
+        let Self { x, y, ref finish, ref mirrored, ref mut run, ref mut depths } = *self;
+        let (from, to, len) = ((i - x) as usize, (to - x) as usize, run.len());
+        if let Some(mirrored) = mirrored {
+            let (left, right) = run.split_at_mut(len / 2);
+            let left = left.get_mut(from..to).unwrap_or_default();
+            let right = right.iter_mut().rev().skip(from);
+            return along.follow(i, left.iter_mut().zip(right), |(pixel, opposite), i, seen| {
+                paint(pixel, None, finish, i, (i, y), seen);
+                paint(opposite, None, mirrored, i, (2 * x + len as u32 - 1 - i, y), seen);
+            });
+        }
+        let run = run.get_mut(from..to).unwrap_or_default();
         let is_lone = depths.is_empty();
         along.follow(i, run.iter_mut(), |pixel, i, seen| {
             let depth = if is_lone { None } else { depths.get_mut((i - x) as usize) };
-            paint(pixel, depth, finish, i, y, seen);
+            paint(pixel, depth, finish, i, (i, y), seen);
         })
     }
 }
 
+/// What the i-th ray sees, in column x, row y, if it is nearer than what is there.
 #[inline]
-fn paint<C: Paint>(pixel: &mut C, depth: Option<&mut f32>, finish: &Finish, i: u32, y: u32, seen: &Seen) {
+fn paint<C: Paint>(
+    pixel: &mut C,
+    depth: Option<&mut f32>,
+    finish: &Finish,
+    i: u32,
+    (x, y): (u32, u32),
+    seen: &Seen,
+) {
     if let Some(depth) = depth {
         if !(seen.t < *depth) {
             return;
         }
         *depth = seen.t;
     }
-    *pixel = C::shade(finish.shades(i, seen), i, y);
+    *pixel = C::shade(finish.shades(i, seen), x, y);
 }
 
 /// The pixels of a rectangle of a picture, in the order a display takes them. One run is kept; skipping costs

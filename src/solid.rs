@@ -3,7 +3,7 @@
 use crate::camera::Row;
 use crate::color::{Paint, Rgb};
 use crate::hit::Hit;
-use crate::lathe::{Lathe, Look, Seen, Stop, Sweep};
+use crate::lathe::{Lathe, Seen, Stop, Sweep};
 use crate::light::Light;
 use crate::math::inverse_root;
 use crate::math::order::positive;
@@ -118,6 +118,18 @@ impl SolidRow<'_> {
         self.sweep.is_far
     }
 
+    /// One beyond the last pixel to be asked for.
+    pub fn end(&self) -> u32 {
+        self.sweep.end
+    }
+
+    /// How the right half looks to the left one, if it is its mirror image: the same, in the light's mirror image.
+    pub fn mirrored<'s>(&self, finish: &Finish<'s>) -> Option<Finish<'s>> {
+        let across = self.sweep.mirror()?;
+        let towards = finish.towards - across * (2.0 * across.dot(finish.towards) / across.dot(across));
+        Some(Finish { towards, ..*finish })
+    }
+
     #[inline(always)]
     pub fn followed(&self, i: u32) -> u32 {
         self.sweep.followed(i)
@@ -138,32 +150,24 @@ impl SolidRow<'_> {
         self.sweep.stopped(i, stop);
     }
 
-    /// What the i-th ray sees, or the next one to ask for: it again, or the first that may see something.
-    #[inline(always)]
-    pub fn see(&mut self, i: u32) -> Result<Seen, u32> {
-        match self.look(i) {
-            Look::Clear(next) => Err(next),
-            Look::Unknown => self.alone(i).ok_or(i + 1),
-        }
-    }
-
-    /// With nothing to follow, what is to be done. Apart, as `alone` is: their stacks are not both needed.
+    /// With nothing to follow, the next pixel to ask for: this one again, if now there is, or the first that may see
+    /// something. None if this one's ray has to go alone. Apart, as that is: their stacks are not both needed.
     #[inline(never)]
-    fn look(&mut self, i: u32) -> Look {
+    pub fn look(&mut self, i: u32) -> Option<u32> {
         self.sweep.look(i)
     }
 
     /// What the i-th ray sees, found as that of any ray: what the sweep leaves in doubt is decided as
     /// everywhere.
     #[inline(never)]
-    fn alone(&mut self, i: u32) -> Option<Seen> {
+    pub fn alone(&mut self, i: u32) -> Option<Seen> {
         let (ray, lathe) = (self.solid.ray_into(&self.row.ray(i)), self.solid.lathe);
         let hit = lathe.nearest_by::<DefaultSolver>(&ray, 0.0)?;
         self.sweep.found(&hit);
         let gradient = lathe.gradient_at(ray.at(hit.t), &hit);
         // Very flat or very tall profiles have gradients whose squares are not numbers.
         let gradient = gradient * (1.0 / largest(gradient));
-        Some(Seen { t: hit.t, gradient, sign: if hit.enters { 1.0 } else { -1.0 } })
+        Some(Seen::new(hit.t, gradient, if hit.enters { 1.0 } else { -1.0 }))
     }
 }
 
@@ -182,11 +186,10 @@ pub(crate) struct Finish<'a> {
 }
 
 impl Finish<'_> {
-    /// The colour of what the i-th ray sees, in shades. The wall seen from within turns its other side.
+    /// The colour of what the i-th ray sees, in shades.
     #[inline(always)]
     pub fn shades(&self, i: u32, seen: &Seen) -> Rgb {
-        let Seen { gradient, sign, .. } = *seen;
-        let per_length = sign * inverse_root(gradient.dot(gradient));
+        let Seen { gradient, per_length, .. } = *seen;
         let nl = per_length * gradient.dot(self.towards);
         let matt = self.ambient.with(self.direct, positive(nl));
         if self.solid.shininess == 0 {

@@ -13,10 +13,11 @@
 //! that is not positive, and otherwise that segment's cubic, pixel by pixel.
 
 use super::clear::Pace;
-use super::path::Path;
+use super::path::flat;
 use super::segment::Cover;
 use super::sweep::Sweep;
 use crate::math::order::greater;
+use crate::vector::F32x3;
 
 /// How a root is known to be the first, before the pixel `until`: by its slope, if that is more than `slope`,
 /// or, if `by_cubic`, by the cubic in its own segment.
@@ -47,17 +48,17 @@ impl Sweep<'_> {
     }
 
     /// Looks whether g keeps its sign before the i-th ray comes to the segment of its root, and for how long
-    /// it will: from there on it is for the root's slope or its cubic to tell. A root that leaves must come
+    /// it will: from there on it is for the root's slope to tell. A root that leaves must come
     /// through an open end: then g is positive before it.
     pub(super) fn certify(&mut self, i: u32) -> bool {
         let (path, segment, sign) = (self.path(i), self.segment, self.sign);
         let frame = self.lathe.frame;
         let end = if path.rises() { frame.base } else { frame.top };
-        if sign < 0.0 && end.is_some() || !self.is_clear_within(&path, self.s) {
+        if sign < 0.0 && end.is_some() || self.first.until < u32::MAX {
             return false;
         }
+        let entry = greater(-self.span, path.slab(segment.low, segment.high).0);
         let (near, _) = path.slab(frame.low, frame.high);
-        let entry = self.entry(&path);
         let before = self.crest_by_segments(&path, sign, greater(-self.span, near), entry).g;
         if !(before < -self.doubt) {
             return false;
@@ -67,31 +68,28 @@ impl Sweep<'_> {
         let n = if sign > 0.0 { pace.pixels(&path, room) } else { pace.pixels_within(room) };
         let is_concave = sign > 0.0 && segment.bulge() * (self.steep * self.steep) <= self.q;
         let slope = if is_concave { self.slack } else { f32::INFINITY };
-        self.first = First { slope, by_cubic: true, until: i + 1 + n.min(AHEAD) };
+        self.first = First { slope, by_cubic: !is_concave, until: i + 1 + n.min(AHEAD) };
         true
     }
 
-    /// Where a ray comes to the segment of its root.
-    fn entry(&self, path: &Path) -> f32 {
-        greater(-self.span, path.slab(self.segment.low, self.segment.high).0)
-    }
-
-    /// Whether g keeps its sign before a root at s in the root's own segment: `g(s − x) = −x·(A − c2·x + c3·x²)`,
-    /// and the bracket is above doubt where x ends, and at its vertex if that is between.
-    fn is_clear_within(&self, path: &Path, s: f32) -> bool {
-        let [_, a, c2, c3] = path.g_about(self.segment, s).c.map(|c| self.sign * c);
-        let l = s - self.entry(path);
-        let has_vertex = c2 > 0.0 && c3 > 0.0 && c2 < 2.0 * c3 * l;
-        a > self.slack
-            && a + (c3 * l - c2) * l > self.doubt
-            && (!has_vertex || c2 * c2 < 4.0 * (a - self.doubt) * c3)
-    }
-
-    /// The same of the i-th ray, if what comes before that segment is clear.
-    #[cold]
+    /// Whether g keeps its sign from where a ray comes to the segment of a root as far as the root, given the root's
+    /// u, the slope as far before it as the last step went, and the ray's D in the segment's u. With A the slope at
+    /// the root, κ = du/ds and y the way back in u, of which there is `way`, `κ²·g = −y·(A·|κ| − c2·y + c3·y²)`, and
+    /// the bracket is above doubt where y ends, and at its vertex if that is between.
     #[inline(never)]
-    pub(super) fn is_first_by_cubic(&self, i: u32, s: f32) -> bool {
-        self.first.by_cubic && self.is_clear_within(&self.path(i), s)
+    pub(super) fn is_first_by_cubic(&self, u: f32, slope: f32, back: f32, d: F32x3) -> bool {
+        let [_, _, f2, f3] = self.segment.f;
+        let kappa = d.z.abs();
+        let c2 = self.sign * ((3.0 * f3 * u + f2) * (kappa * kappa) - flat(d, d));
+        let c3 = self.sign * f3 * (kappa * d.z);
+        let way = if d.z > 0.0 { u } else { 1.0 - u };
+        let slope = slope - 2.0 * c2 * back;
+        let room = (slope - self.doubt) * kappa;
+        let has_vertex = c2 > 0.0 && c2 < 2.0 * c3 * way;
+        self.first.by_cubic
+            && slope > self.slack
+            && room > (c2 - c3 * way) * way
+            && (!has_vertex || c2 * c2 < 4.0 * room * c3)
     }
 }
 

@@ -1,7 +1,8 @@
 //! A root, followed from ray to ray: the innermost loop.
 
 use super::sweep::Sweep;
-use crate::vector::{F32x3, vector};
+use crate::math::inverse_root;
+use crate::vector::{F32x3, Vector, vector};
 
 /// What a ray sees of the surface.
 #[derive(Clone, Copy)]
@@ -10,8 +11,16 @@ pub(crate) struct Seen {
     pub t: f32,
     /// A vector along the outward normal, in object space.
     pub gradient: F32x3,
-    /// 1 where the ray enters the solid, −1 where it leaves it.
-    pub sign: f32,
+    /// One over its length; negative where the ray leaves the solid, and sees the wall's other side.
+    pub per_length: f32,
+}
+
+impl Seen {
+    /// Given 1 where the ray enters the solid, −1 where it leaves it.
+    #[inline(always)]
+    pub fn new(t: f32, gradient: F32x3, sign: f32) -> Self {
+        Self { t, gradient, per_length: sign * inverse_root(gradient.dot(gradient)) }
+    }
 }
 
 /// How often Newton's method, or a change of segment, is tried before the ray goes alone.
@@ -95,13 +104,13 @@ impl Sweep<'_> {
                     stop = Stop::Left(u);
                     break 'pixels;
                 }
-                if !(steep > certain || self.is_first_by_cubic(i, s)) {
+                if !(steep > certain || self.is_first_by_cubic(u, steep, back, d)) {
                     stop = Stop::Uncertain;
                     break 'pixels;
                 }
                 let e = (e2 * u + e1) * u + e0;
                 let t = (self.shift + s) * self.per_unit;
-                see(place, i, &Seen { t, gradient: vector([root_squash * x, y, e]), sign });
+                see(place, i, &Seen::new(t, vector([root_squash * x, y, e]), sign));
                 break;
             }
             // As far again, and by how much that grew again.

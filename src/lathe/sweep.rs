@@ -30,8 +30,9 @@ pub(crate) struct Sweep<'a> {
     /// Where s = 0 is on the rays; that times `per_unit` is a distance along them.
     pub(super) shift: f32,
     pub(super) per_unit: f32,
-    /// One beyond the last pixel.
-    pub(super) end: u32,
+    /// One beyond the last pixel: of the left half, if that is the mirror image of the right one.
+    pub end: u32,
+    pub is_mirrored: bool,
     /// Every point of the solid on every ray of the run has |s| ≤ span.
     pub(super) span: f32,
     /// The largest |dz| and the least q of any ray of the run.
@@ -69,14 +70,6 @@ pub(crate) struct Sweep<'a> {
     pub(super) tries: u32,
 }
 
-/// What a look at a ray with no root to follow comes to.
-pub(crate) enum Look {
-    /// The pixels before the given one see nothing of the solid.
-    Clear(u32),
-    /// The ray has to go alone.
-    Unknown,
-}
-
 /// In units of the frame, where the largest radius is between 1 and 2: what silhouettes are left in doubt.
 const DOUBT: f32 = 1.0 / 4096.0;
 
@@ -97,7 +90,7 @@ impl Lathe {
         let o1 = frame.squashed(rays.origin_step * frame.scale);
 
         let half = 0.5 * (end - start) as f32;
-        let centre = start as f32 + half;
+        let centre = start as f32 - 0.5 + half;
         let (oc, dc) = (o + o1 * centre, d + d1 * centre);
         let square = dot(dc, dc);
         let shift = -dot(oc, dc) / square;
@@ -115,31 +108,38 @@ impl Lathe {
         // q are above their tangents there.
         let least = square - 2.0 * half * dot(dc, d1).abs();
         let length = Native::sqrt(least);
-        let across = half * (dot(mc, d1) + dot(m1, dc)).abs() + half * half * dot(m1, d1).abs();
+        let lean = dot(mc, d1) + dot(m1, dc);
+        let across = half * lean.abs() + half * half * dot(m1, d1).abs();
         let span = (across / length + frame.size) / length;
         let q = flat(dc, dc) - 2.0 * half * flat(dc, d1).abs();
         let steep = dc.z.abs() + half * d1.z.abs();
         let distance = shift.abs() * length + frame.size;
-        let doubt = DOUBT + ROUNDING * distance * (2.0 + frame.steepest);
+        let rounding = ROUNDING * distance * (2.0 + frame.steepest);
+        let doubt = DOUBT + rounding;
+        let drift = m1.z.abs() + span * d1.z.abs();
+        // By how much g can differ, at the same s, on the ray as far on the other side of the middle.
+        let lopsided = flat(mc, m1).abs() + span * (lean.abs() + span * flat(dc, d1).abs());
+        let lopsided = half * (4.0 * lopsided + 2.0 * drift * frame.steepest);
+        let is_usable =
+            least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25 && frame.steepest < 1e9;
+        let is_mirrored =
+            is_usable && frame.squash == 1.0 && (end - start) % 2 == 0 && 8.0 * lopsided < rounding;
         // No ray of a usable run is longer than three halves of the middle one.
         let longest = 2.25 * square;
         Sweep {
             lathe,
             is_far,
-            is_usable: least > 0.25 * square
-                && q > 0.0
-                && shift > span
-                && doubt < 0.25
-                && frame.steepest < 1e9,
+            is_usable,
             rays: Rays { origin: m, origin_step: m1, direction: d, direction_step: d1 },
             shift,
             per_unit: 1.0 / (frame.scale * unit),
-            end,
+            end: if is_mirrored { start + (end - start) / 2 } else { end },
+            is_mirrored,
             span,
             steep,
             rising: (dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
             q,
-            drift: m1.z.abs() + span * d1.z.abs(),
+            drift,
             doubt,
             slack: 4.0 * Native::sqrt(doubt),
             tolerance: ROOT / (longest + frame.curvature * (steep * steep)),
@@ -185,14 +185,19 @@ impl Sweep<'_> {
         self.lathe.segments.first().map_or(Cover::NONE, |segment| segment.above)
     }
 
+    /// What the run's rays lie side by side along, if its right half is the mirror image of its left one.
+    pub fn mirror(&self) -> Option<F32x3> {
+        self.is_mirrored.then_some(self.rays.origin_step)
+    }
+
     /// With nothing to follow: do this pixel and the next ones certainly see nothing, or where may a root be?
-    pub fn look(&mut self, i: u32) -> Look {
+    pub fn look(&mut self, i: u32) -> Option<u32> {
         if !self.is_usable || self.looked == i {
-            return Look::Unknown;
+            return None;
         }
         self.looked = i;
         let next = self.clear_until(i);
-        if next > i || self.following { Look::Clear(next) } else { Look::Unknown }
+        (next > i || self.following).then_some(next)
     }
 
     /// Follows a root from near s in that segment on.

@@ -3,7 +3,7 @@
 use crate::ray::Ray;
 use crate::vector::F32x3;
 
-/// The rays of a row of pixels: origin and direction are linear in the pixel's number.
+/// The rays of a row of pixels, counted from one of them: origin and direction are linear in the pixel's number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rays {
     pub origin: F32x3,
@@ -21,6 +21,16 @@ impl Rays {
             origin_step: (other.origin - first.origin) * per_pixel,
             direction: first.direction,
             direction_step: (other.direction - first.direction) * per_pixel,
+        }
+    }
+
+    /// The same, counted the other way round from the pixel before.
+    pub fn turned(&self) -> Self {
+        Self {
+            origin: self.origin - self.origin_step,
+            origin_step: self.origin_step * -1.0,
+            direction: self.direction - self.direction_step,
+            direction_step: self.direction_step * -1.0,
         }
     }
 

@@ -103,24 +103,9 @@ impl Picture<'_> {
         let finish = solid.finish::<C>(row, &self.scene.light);
         let mirrored = along.mirrored(&finish);
         let mut canvas = Canvas { finish, mirrored, x, y: row.y, run, depths };
-        let (mut i, end) = (x, along.end());
-        while i < end {
-            let to = along.followed(i);
-            if to > i {
-                let (next, stop) = canvas.follow(&mut along, i, to);
-                along.stopped(next, stop);
-                i = next;
-                continue;
-            }
-            if let Some(next) = along.look(i) {
-                i = next;
-                continue;
-            }
-            if canvas.mirrored.is_some() {
-                canvas.alone(&mut along, canvas.opposite(i));
-            }
-            canvas.alone(&mut along, i);
-            i += 1;
+        canvas.outwards(&mut along);
+        if along.turn() {
+            canvas.outwards(&mut along);
         }
     }
 
@@ -143,7 +128,7 @@ impl Picture<'_> {
 /// Pixels that a solid is painted on, from column x of row y on.
 struct Canvas<'a, C> {
     finish: Finish<'a>,
-    /// If the right half sees the left one's mirror image: how that looks.
+    /// If the left half sees the right one's mirror image: how that looks.
     mirrored: Option<Finish<'a>>,
     x: u32,
     y: u32,
@@ -153,19 +138,38 @@ struct Canvas<'a, C> {
 }
 
 impl<C: Paint> Canvas<'_, C> {
-    /// The pixel as far from the right end as the i-th is from the left.
-    fn opposite(&self, i: u32) -> u32 {
-        2 * self.x + self.run.len() as u32 - 1 - i
+    /// From the middle on outwards.
+    #[inline(never)]
+    fn outwards(&mut self, along: &mut SolidRow) {
+        let mut i = 0;
+        while i < along.end() {
+            let to = along.followed(i);
+            if to > i {
+                let (next, stop) = self.follow(along, i, to);
+                along.stopped(next, stop);
+                i = next;
+                continue;
+            }
+            if let Some(next) = along.look(i) {
+                i = next;
+                continue;
+            }
+            if self.mirrored.is_some() {
+                self.alone(along, along.opposite(i));
+            }
+            self.alone(along, along.column(i));
+            i += 1;
+        }
     }
 
-    /// What the i-th ray sees by itself, if it is nearer than what is there.
+    /// What a column's ray sees by itself, if it is nearer than what is there.
     #[inline(never)]
-    fn alone(&mut self, along: &mut SolidRow, i: u32) {
-        let at = (i - self.x) as usize;
-        if let Some(seen) = along.alone(i)
+    fn alone(&mut self, along: &mut SolidRow, column: u32) {
+        let at = (column - self.x) as usize;
+        if let Some(seen) = along.alone(column)
             && let Some(pixel) = self.run.get_mut(at)
         {
-            paint(pixel, self.depths.get_mut(at), &self.finish, i, (i, self.y), &seen);
+            paint(pixel, self.depths.get_mut(at), &self.finish, (column, column), self.y, &seen);
         }
     }
 
@@ -174,33 +178,37 @@ impl<C: Paint> Canvas<'_, C> {
     #[inline(never)]
     fn follow(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
         let Self { x, y, ref finish, ref mirrored, ref mut run, ref mut depths } = *self;
-        let (from, to, len) = ((i - x) as usize, (to - x) as usize, run.len());
+        let column = along.column(i);
+        let at = (column - x) as usize;
         if let Some(mirrored) = mirrored {
-            let (left, right) = run.split_at_mut(len / 2);
-            let left = left.get_mut(from..to).unwrap_or_default();
-            let right = right.iter_mut().rev().skip(from);
-            return along.follow(i, left.iter_mut().zip(right), |(pixel, opposite), i, seen| {
-                paint(pixel, None, finish, i, (i, y), seen);
-                paint(opposite, None, mirrored, i, (2 * x + len as u32 - 1 - i, y), seen);
+            let opposite = along.opposite(i);
+            let (left, right) = run.split_at_mut(run.len() / 2);
+            let right = right.iter_mut().skip(i as usize).take((to - i) as usize);
+            let left = left.iter_mut().rev().skip(i as usize);
+            return along.follow(i, right.zip(left), |(pixel, other), k, seen| {
+                paint(pixel, None, finish, (column + k - i, column + k - i), y, seen);
+                paint(other, None, mirrored, (column + k - i, opposite + i - k), y, seen);
             });
         }
-        let run = run.get_mut(from..to).unwrap_or_default();
-        let is_lone = depths.is_empty();
-        along.follow(i, run.iter_mut(), |pixel, i, seen| {
-            let depth = if is_lone { None } else { depths.get_mut((i - x) as usize) };
-            paint(pixel, depth, finish, i, (i, y), seen);
+        let step = if along.is_turned() { usize::MAX } else { 1 };
+        let places = (0..(to - i) as usize).map(|k| at.wrapping_add(k.wrapping_mul(step)));
+        along.follow(i, places, |at, _, seen| {
+            let column = x + at as u32;
+            if let Some(pixel) = run.get_mut(at) {
+                paint(pixel, depths.get_mut(at), finish, (column, column), y, seen);
+            }
         })
     }
 }
 
-/// What the i-th ray sees, in column x, row y, if it is nearer than what is there.
+/// What a column's ray sees, in a column, its own or its mirror image's, of row y, if it is nearer than what is there.
 #[inline]
 fn paint<C: Paint>(
     pixel: &mut C,
     depth: Option<&mut f32>,
     finish: &Finish,
-    i: u32,
-    (x, y): (u32, u32),
+    (seer, column): (u32, u32),
+    y: u32,
     seen: &Seen,
 ) {
     if let Some(depth) = depth {
@@ -209,7 +217,7 @@ fn paint<C: Paint>(
         }
         *depth = seen.t;
     }
-    *pixel = C::shade(finish.shades(i, seen), x, y);
+    *pixel = C::shade(finish.shades(seer, seen), column, y);
 }
 
 /// The pixels of a rectangle of a picture, in the order a display takes them. One run is kept; skipping costs

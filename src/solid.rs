@@ -118,12 +118,33 @@ impl SolidRow<'_> {
         self.sweep.is_far
     }
 
-    /// One beyond the last pixel to be asked for.
+    /// How many pixels there are, counted from the middle of what is seen to the right, or, turned, to the left.
     pub fn end(&self) -> u32 {
         self.sweep.end
     }
 
-    /// How the right half looks to the left one, if it is its mirror image: the same, in the light's mirror image.
+    /// Goes on with the left half, if that is still to be seen.
+    pub fn turn(&mut self) -> bool {
+        self.sweep.turn()
+    }
+
+    pub fn is_turned(&self) -> bool {
+        self.sweep.is_turned
+    }
+
+    /// The column of the i-th pixel.
+    #[inline(always)]
+    pub fn column(&self, i: u32) -> u32 {
+        let middle = self.sweep.middle;
+        if self.sweep.is_turned { middle - 1 - i } else { middle + i }
+    }
+
+    /// The column of its mirror image.
+    pub fn opposite(&self, i: u32) -> u32 {
+        self.sweep.middle - 1 - i
+    }
+
+    /// How the left half looks, if it is the right one's mirror image: the same, in the light's mirror image.
     pub fn mirrored<'s>(&self, finish: &Finish<'s>) -> Option<Finish<'s>> {
         let across = self.sweep.mirror()?;
         let towards = finish.towards - across * (2.0 * across.dot(finish.towards) / across.dot(across));
@@ -157,11 +178,11 @@ impl SolidRow<'_> {
         self.sweep.look(i)
     }
 
-    /// What the i-th ray sees, found as that of any ray: what the sweep leaves in doubt is decided as
+    /// What a column's ray sees, found as that of any ray: what the sweep leaves in doubt is decided as
     /// everywhere.
     #[inline(never)]
-    pub fn alone(&mut self, i: u32) -> Option<Seen> {
-        let (ray, lathe) = (self.solid.ray_into(&self.row.ray(i)), self.solid.lathe);
+    pub fn alone(&mut self, column: u32) -> Option<Seen> {
+        let (ray, lathe) = (self.solid.ray_into(&self.row.ray(column)), self.solid.lathe);
         let hit = lathe.nearest_by::<DefaultSolver>(&ray, 0.0)?;
         self.sweep.found(&hit);
         let gradient = lathe.gradient_at(ray.at(hit.t), &hit);
@@ -186,9 +207,9 @@ pub(crate) struct Finish<'a> {
 }
 
 impl Finish<'_> {
-    /// The colour of what the i-th ray sees, in shades.
+    /// The colour of what a column's ray sees, in shades.
     #[inline(always)]
-    pub fn shades(&self, i: u32, seen: &Seen) -> Rgb {
+    pub fn shades(&self, column: u32, seen: &Seen) -> Rgb {
         let Seen { gradient, per_length, .. } = *seen;
         let nl = per_length * gradient.dot(self.towards);
         let matt = self.ambient.with(self.direct, positive(nl));
@@ -196,15 +217,15 @@ impl Finish<'_> {
             return matt;
         }
         let Self { solid, row, towards, full, .. } = *self;
-        matt.with(full, highlight(solid, row, i, towards, gradient * per_length, nl)).least(full)
+        matt.with(full, highlight(solid, row, column, towards, gradient * per_length, nl)).least(full)
     }
 }
 
-/// The share of white that the i-th ray sees, given the direction of the light and the normal, and n·l.
+/// The share of white that a column's ray sees, given the direction of the light and the normal, and n·l.
 #[cold]
 #[inline(never)]
-fn highlight(solid: &Solid, row: &Row, i: u32, towards: F32x3, normal: F32x3, nl: f32) -> f32 {
-    let view = solid.pose.rotation.back(row.ray(i).direction);
+fn highlight(solid: &Solid, row: &Row, column: u32, towards: F32x3, normal: F32x3, nl: f32) -> f32 {
+    let view = solid.pose.rotation.back(row.ray(column).direction);
     let per_length = -inverse_root(view.dot(view));
     let (nv, lv) = (per_length * normal.dot(view), per_length * towards.dot(view));
     Light::highlight(solid.shininess, nl, nv, lv)

@@ -16,7 +16,8 @@ use super::{Lathe, View};
 use crate::hit::{Hit, Part};
 use crate::math::{Math, Native};
 use crate::rays::Rays;
-use crate::vector::{F32x3, dot};
+use crate::vector::{F32x3, cross, dot, vector};
+use crate::math::order::{greater, lesser};
 
 /// A run of rays at a lathe, and the root that is followed along it.
 pub(crate) struct Sweep<'a> {
@@ -30,9 +31,13 @@ pub(crate) struct Sweep<'a> {
     /// Where s = 0 is on the rays; that times `per_unit` is a distance along them.
     pub(super) shift: f32,
     pub(super) per_unit: f32,
-    /// One beyond the last pixel: of the left half, if that is the mirror image of the right one.
+    /// The pixel that all are counted from: to the right at first.
+    pub middle: u32,
+    /// How many pixels there are in this direction, and to the left of the middle.
     pub end: u32,
-    pub is_mirrored: bool,
+    left: u32,
+    is_mirrored: bool,
+    pub is_turned: bool,
     /// Every point of the solid on every ray of the run has |s| ≤ span.
     pub(super) span: f32,
     /// The largest |dz| and the least q of any ray of the run.
@@ -94,8 +99,7 @@ impl Lathe {
         let (oc, dc) = (o + o1 * centre, d + d1 * centre);
         let square = dot(dc, dc);
         let shift = -dot(oc, dc) / square;
-        let (m, m1) = (o + d * shift, o1 + d1 * shift);
-        let mc = oc + dc * shift;
+        let (mc, m1) = (oc + dc * shift, o1 + d1 * shift);
 
         // Where one of them is within the ball, the middle one is within a ball larger by how far they are apart
         // there, half·|∂M/∂i + s·∂D/∂i| and |s| no more than its radius over |D|.
@@ -124,6 +128,20 @@ impl Lathe {
             least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25 && frame.steepest < 1e9;
         let is_mirrored =
             is_usable && frame.squash == 1.0 && (end - start) % 2 == 0 && 8.0 * lopsided < rounding;
+        let middle = if is_mirrored {
+            start + (end - start) / 2
+        } else {
+            // Where the row's plane meets the axis, if that is within the solid; otherwise the end nearest to there.
+            let normal = cross(m1, dc);
+            let height = lesser(frame.high, greater(frame.low, dot(normal, mc) / normal.z));
+            let there = vector([-mc.x, -mc.y, height - mc.z]);
+            let across = m1 + d1 * (dot(there, dc) / square);
+            let across = across - dc * (dot(across, dc) / square);
+            let pixels = dot(there, across) / dot(across, across);
+            start.max(end.min((centre + pixels + 0.5) as u32))
+        };
+        let from_centre = middle as f32 - centre;
+        let (m, d) = (mc + m1 * from_centre, dc + d1 * from_centre);
         // No ray of a usable run is longer than three halves of the middle one.
         let longest = 2.25 * square;
         Sweep {
@@ -133,8 +151,11 @@ impl Lathe {
             rays: Rays { origin: m, origin_step: m1, direction: d, direction_step: d1 },
             shift,
             per_unit: 1.0 / (frame.scale * unit),
-            end: if is_mirrored { start + (end - start) / 2 } else { end },
+            end: end - middle,
             is_mirrored,
+            middle,
+            left: middle - start,
+            is_turned: false,
             span,
             steep,
             rising: (dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
@@ -185,7 +206,18 @@ impl Sweep<'_> {
         self.lathe.segments.first().map_or(Cover::NONE, |segment| segment.above)
     }
 
-    /// What the run's rays lie side by side along, if its right half is the mirror image of its left one.
+    /// After the middle and all to the right of it, all to the left of it. Not if that is the mirror image, and all
+    /// is done.
+    pub fn turn(&mut self) -> bool {
+        if self.is_mirrored || self.is_turned {
+            return false;
+        }
+        self.rays = self.rays.turned();
+        (self.end, self.is_turned, self.following, self.looked) = (self.left, true, false, u32::MAX);
+        true
+    }
+
+    /// What the run's rays lie side by side along, if its left half is the mirror image of its right one.
     pub fn mirror(&self) -> Option<F32x3> {
         self.is_mirrored.then_some(self.rays.origin_step)
     }

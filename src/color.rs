@@ -1,6 +1,6 @@
 //! Colours as the renderer reckons with them.
 
-use crate::math::order::{greater, lesser};
+use crate::math::order::lesser;
 
 /// A colour as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
 /// gamma-corrected.
@@ -43,29 +43,12 @@ impl Rgb {
         Self::new(share, share, share)
     }
 
-    /// Dimmed to a share of itself.
-    #[inline(always)]
-    pub(crate) const fn dimmed(self, share: f32) -> Self {
-        Self { r: self.r * share, g: self.g * share, b: self.b * share }
-    }
-
-    /// With a share of another colour added.
-    #[inline(always)]
-    pub(crate) const fn with(self, other: Self, share: f32) -> Self {
-        Self { r: self.r + share * other.r, g: self.g + share * other.g, b: self.b + share * other.b }
-    }
-
-    /// No channel more than another colour's.
-    pub(crate) const fn least(self, most: Self) -> Self {
-        Self { r: lesser(self.r, most.r), g: lesser(self.g, most.g), b: lesser(self.b, most.b) }
-    }
-
     /// In shades, of which there are `most`. What lies outside 0 to 1 is cut off, and nothing is in place of what
     /// is not a number.
     #[inline(never)]
-    pub(crate) fn shades(self, most: Self) -> Self {
-        let cut = |share: f32| lesser(1.0, greater(0.0, share));
-        Self { r: cut(self.r) * most.r, g: cut(self.g) * most.g, b: cut(self.b) * most.b }
+    pub(crate) fn shades(self, most: Self) -> Shades {
+        let cut = |share: f32, most: f32| (lesser(1.0, share) * most * Shades::ONE as f32) as u32;
+        Shades { r: cut(self.r, most.r), g: cut(self.g, most.g), b: cut(self.b, most.b) }
     }
 
     /// From this colour, at 0, to another, at 1.
@@ -75,6 +58,69 @@ impl Rgb {
             g: self.g + share * (other.g - self.g),
             b: self.b + share * (other.b - self.b),
         }
+    }
+}
+
+/// A colour in a display's shades, each a whole number of 2⁻²⁴ and less than 256: light is cast on it by three
+/// integer multiplications.
+///
+/// ```
+/// use embedded_lathe::{Paint, Rgb, Shades};
+///
+/// /// Red light only.
+/// #[derive(Clone, Copy, Debug, PartialEq)]
+/// struct Red(u8);
+///
+/// impl Paint for Red {
+///     const SHADES: Rgb = Rgb::new(255.0, 0.0, 0.0);
+///     fn shade(shades: Shades, _x: u32, _y: u32) -> Self {
+///         Self(((shades.r + Shades::ONE / 2) / Shades::ONE) as u8)
+///     }
+/// }
+///
+/// assert_eq!(Red::paint(Rgb::new(0.5, 1.0, 1.0), 0, 0), Red(128));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Shades {
+    /// Red.
+    pub r: u32,
+    /// Green.
+    pub g: u32,
+    /// Blue.
+    pub b: u32,
+}
+
+impl Shades {
+    /// One shade.
+    pub const ONE: u32 = 1 << 24;
+
+    /// With a share of other shades added. The sum must be less than 256.
+    #[inline(always)]
+    pub(crate) fn with(self, other: Self, Share(share): Share) -> Self {
+        let part = |shade: u32| ((u64::from(shade) * u64::from(share)) >> 32) as u32;
+        Self {
+            r: self.r.wrapping_add(part(other.r)),
+            g: self.g.wrapping_add(part(other.g)),
+            b: self.b.wrapping_add(part(other.b)),
+        }
+    }
+
+    /// No channel more than another colour's.
+    pub(crate) fn least(self, most: Self) -> Self {
+        Self { r: self.r.min(most.r), g: self.g.min(most.g), b: self.b.min(most.b) }
+    }
+}
+
+/// A number from 0 to 1, in units of 2⁻³².
+#[derive(Clone, Copy)]
+pub(crate) struct Share(u32);
+
+impl Share {
+    /// What is below 0, or not a number, becomes 0, and what is above 1 becomes 1: so numbers are converted.
+    #[inline(always)]
+    pub fn new(x: f32) -> Self {
+        Self((x * 4_294_967_296.0) as u32)
     }
 }
 
@@ -93,12 +139,11 @@ impl Rgb {
 /// assert_eq!(on.count(), 13);
 /// ```
 pub trait Paint: Copy {
-    /// How many shades above black red, green and blue have: what a share of 1 is in shades.
+    /// How many shades above black red, green and blue have, no more than 255: what a share of 1 is in shades.
     const SHADES: Rgb;
 
-    /// What stands in column x, row y, for a colour in shades, each from 0 to that of `SHADES`, or beyond by
-    /// rounding.
-    fn shade(shades: Rgb, x: u32, y: u32) -> Self;
+    /// What stands in column x, row y, for a colour in shades, each from 0 to that of `SHADES`.
+    fn shade(shades: Shades, x: u32, y: u32) -> Self;
 
     /// What stands for the colour in column x, row y.
     fn paint(colour: Rgb, x: u32, y: u32) -> Self {
@@ -107,11 +152,12 @@ pub trait Paint: Copy {
 }
 
 impl Paint for Rgb {
-    const SHADES: Rgb = Rgb::WHITE;
+    const SHADES: Rgb = Rgb::gray(128.0);
 
     #[inline(always)]
-    fn shade(shades: Rgb, _: u32, _: u32) -> Self {
-        shades
+    fn shade(shades: Shades, _: u32, _: u32) -> Self {
+        let share = |shade: u32| shade as f32 * (1.0 / (128.0 * Shades::ONE as f32));
+        Rgb::new(share(shades.r), share(shades.g), share(shades.b))
     }
 }
 

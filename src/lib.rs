@@ -109,7 +109,7 @@ mod valid;
 mod vector;
 
 pub use camera::Camera;
-pub use color::{Background, Paint, Rgb};
+pub use color::{Background, Paint, Rgb, Shades};
 pub use cubic::Cubic;
 pub use draw::Drawable;
 pub use hit::{Hit, Part};

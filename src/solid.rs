@@ -1,12 +1,11 @@
 //! A lathe in the world, with a colour.
 
 use crate::camera::Row;
-use crate::color::{Paint, Rgb};
+use crate::color::{Paint, Rgb, Shades, Share};
 use crate::hit::Hit;
 use crate::lathe::{Lathe, Seen, Stop, Sweep};
 use crate::light::Light;
 use crate::math::inverse_root;
-use crate::math::order::positive;
 use crate::pose::Pose;
 use crate::ray::Ray;
 use crate::rays::Rays;
@@ -87,13 +86,14 @@ impl<'a> Solid<'a> {
     #[inline(always)]
     pub(crate) fn finish<'s, C: Paint>(&'s self, row: &'s Row, light: &Light) -> Finish<'s> {
         let colour = self.colour.shades(C::SHADES);
+        let none = Shades { r: 0, g: 0, b: 0 };
         Finish {
             solid: self,
             row,
             towards: self.pose.rotation.back(light.towards),
-            ambient: colour.dimmed(light.ambient),
-            direct: colour.dimmed(1.0 - light.ambient),
-            full: C::SHADES,
+            ambient: none.with(colour, Share::new(light.ambient)),
+            direct: none.with(colour, Share::new(1.0 - light.ambient)),
+            full: Rgb::WHITE.shades(C::SHADES),
         }
     }
 }
@@ -200,24 +200,25 @@ pub(crate) struct Finish<'a> {
     /// Towards the light, in the solid's own space.
     towards: F32x3,
     /// What is seen in the shade, and what the light adds where it falls straight, in shades.
-    ambient: Rgb,
-    direct: Rgb,
+    ambient: Shades,
+    direct: Shades,
     /// White.
-    full: Rgb,
+    full: Shades,
 }
 
 impl Finish<'_> {
     /// The colour of what a column's ray sees, in shades.
     #[inline(always)]
-    pub fn shades(&self, column: u32, seen: &Seen) -> Rgb {
+    pub fn shades(&self, column: u32, seen: &Seen) -> Shades {
         let Seen { gradient, per_length, .. } = *seen;
         let nl = per_length * gradient.dot(self.towards);
-        let matt = self.ambient.with(self.direct, positive(nl));
+        let matt = self.ambient.with(self.direct, Share::new(nl));
         if self.solid.shininess == 0 {
             return matt;
         }
         let Self { solid, row, towards, full, .. } = *self;
-        matt.with(full, highlight(solid, row, column, towards, gradient * per_length, nl)).least(full)
+        let share = highlight(solid, row, column, towards, gradient * per_length, nl);
+        matt.with(full, Share::new(share)).least(full)
     }
 }
 

@@ -1,3 +1,5 @@
+use crate::color::Shades;
+
 /// The threshold of column x, row y, from 0 to 63: Bayer's 8×8 matrix, whose bits are those of y and x ⊕ y,
 /// interleaved, the lowest first (Bayer 1973).
 ///
@@ -10,14 +12,12 @@ pub(super) const fn threshold(x: u32, y: u32) -> u32 {
 
 /// A whole shade for a broken one, such that its mean over 8×8 pixels is that, within 1/128.
 #[inline(always)]
-pub(super) fn dithered(shade: f32, x: u32, y: u32) -> u8 {
-    let offset = (threshold(x, y) as f32 + 0.5) * (1.0 / 64.0);
-    // Conversion cuts off what is negative and makes NaN 0.
-    (shade + offset) as u32 as u8
+pub(super) const fn dithered(shade: u32, x: u32, y: u32) -> u8 {
+    ((shade + (2 * threshold(x, y) + 1) * (Shades::ONE / 128)) / Shades::ONE) as u8
 }
 
 /// The nearest whole shade.
 #[inline(always)]
-pub(super) fn nearest(shade: f32) -> u8 {
-    (shade + 0.5) as u32 as u8
+pub(super) const fn nearest(shade: u32) -> u8 {
+    ((shade + Shades::ONE / 2) / Shades::ONE) as u8
 }

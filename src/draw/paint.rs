@@ -2,7 +2,7 @@
 //! dithered.
 
 use super::dither::{dithered, nearest};
-use crate::color::{Paint, Rgb};
+use crate::color::{Paint, Rgb, Shades};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
     RgbColor,
@@ -14,7 +14,7 @@ macro_rules! channels {
             const SHADES: Rgb = Rgb::new(Self::MAX_R as f32, Self::MAX_G as f32, Self::MAX_B as f32);
 
             #[inline(always)]
-            fn shade(shades: Rgb, _: u32, _: u32) -> Self {
+            fn shade(shades: Shades, _: u32, _: u32) -> Self {
                 Self::new(nearest(shades.r), nearest(shades.g), nearest(shades.b))
             }
         }
@@ -31,7 +31,7 @@ const fn luma(most: f32) -> Rgb {
 
 /// The shade that three channels' come to.
 #[inline(always)]
-fn sum(shades: Rgb) -> f32 {
+fn sum(shades: Shades) -> u32 {
     shades.r + shades.g + shades.b
 }
 
@@ -39,7 +39,7 @@ impl Paint for Gray8 {
     const SHADES: Rgb = luma(255.0);
 
     #[inline(always)]
-    fn shade(shades: Rgb, _: u32, _: u32) -> Self {
+    fn shade(shades: Shades, _: u32, _: u32) -> Self {
         Self::new(nearest(sum(shades)))
     }
 }
@@ -48,7 +48,7 @@ impl Paint for Gray4 {
     const SHADES: Rgb = luma(15.0);
 
     #[inline(always)]
-    fn shade(shades: Rgb, x: u32, y: u32) -> Self {
+    fn shade(shades: Shades, x: u32, y: u32) -> Self {
         Self::new(dithered(sum(shades), x, y))
     }
 }
@@ -57,7 +57,7 @@ impl Paint for Gray2 {
     const SHADES: Rgb = luma(3.0);
 
     #[inline(always)]
-    fn shade(shades: Rgb, x: u32, y: u32) -> Self {
+    fn shade(shades: Shades, x: u32, y: u32) -> Self {
         Self::new(dithered(sum(shades), x, y))
     }
 }
@@ -66,7 +66,7 @@ impl Paint for BinaryColor {
     const SHADES: Rgb = luma(1.0);
 
     #[inline(always)]
-    fn shade(shades: Rgb, x: u32, y: u32) -> Self {
+    fn shade(shades: Shades, x: u32, y: u32) -> Self {
         Self::from(dithered(sum(shades), x, y) == 1)
     }
 }

@@ -12,10 +12,3 @@ pub(crate) const fn greater(a: f32, b: f32) -> f32 {
 pub(crate) const fn lesser(a: f32, b: f32) -> f32 {
     if b < a { b } else { a }
 }
-
-/// The number, or zero if it is negative: by its bits, without a comparison.
-#[inline(always)]
-pub(crate) const fn positive(x: f32) -> f32 {
-    let bits = x.to_bits();
-    f32::from_bits(bits & !((bits as i32 >> 31) as u32))
-}

@@ -134,6 +134,11 @@ impl Row<'_> {
     pub fn ray(&self, i: u32) -> Ray {
         self.camera.ray(i, self.y, self.width, self.height)
     }
+
+    /// By how much the next pixel's ray differs: its direction, or, if they run side by side, its origin.
+    pub fn step(&self) -> (F32x3, Projection) {
+        (self.camera.right * (2.0 / self.width as f32), self.camera.projection)
+    }
 }
 
 #[cfg(feature = "defmt")]

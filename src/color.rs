@@ -47,8 +47,8 @@ impl Rgb {
     /// is not a number.
     #[inline(never)]
     pub(crate) fn shades(self, most: Self) -> Shades {
-        let cut = |share: f32, most: f32| (lesser(1.0, share) * most * Shades::ONE as f32) as u32;
-        Shades { r: cut(self.r, most.r), g: cut(self.g, most.g), b: cut(self.b, most.b) }
+        let cut = |share: f32, most: f32| lesser(1.0, share) * most;
+        Shades::of(Self::new(cut(self.r, most.r), cut(self.g, most.g), cut(self.b, most.b)))
     }
 
     /// From this colour, at 0, to another, at 1.
@@ -95,6 +95,12 @@ impl Shades {
     /// One shade.
     pub const ONE: u32 = 1 << 24;
 
+    /// As many as given, each less than 256.
+    pub(crate) const fn of(shades: Rgb) -> Self {
+        const ONE: f32 = Shades::ONE as f32;
+        Self { r: (shades.r * ONE) as u32, g: (shades.g * ONE) as u32, b: (shades.b * ONE) as u32 }
+    }
+
     /// With a share of other shades added. The sum must be less than 256.
     #[inline(always)]
     pub(crate) fn with(self, other: Self, Share(share): Share) -> Self {
@@ -117,10 +123,17 @@ impl Shades {
 pub(crate) struct Share(u32);
 
 impl Share {
-    /// What is below 0, or not a number, becomes 0, and what is above 1 becomes 1: so numbers are converted.
+    pub const UNITS: f32 = 4_294_967_296.0;
+
+    /// So many units. What is below 0, or not a number, becomes 0, and what is above 1 becomes 1: so numbers are
+    /// converted.
     #[inline(always)]
-    pub fn new(x: f32) -> Self {
-        Self((x * 4_294_967_296.0) as u32)
+    pub const fn new(units: f32) -> Self {
+        Self(units as u32)
+    }
+
+    pub const fn of_one(x: f32) -> Self {
+        Self::new(x * Self::UNITS)
     }
 }
 

@@ -29,7 +29,7 @@ mod segment;
 mod sweep;
 mod walk;
 
-pub(crate) use follow::{Seen, Stop};
+pub(crate) use follow::{Seen, Stop, seldom};
 pub use segment::Segment;
 pub(crate) use sweep::Sweep;
 

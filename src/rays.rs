@@ -1,6 +1,5 @@
 //! The rays of neighbouring pixels.
 
-use crate::ray::Ray;
 use crate::vector::F32x3;
 
 /// The rays of a row of pixels, counted from one of them: origin and direction are linear in the pixel's number.
@@ -13,17 +12,6 @@ pub(crate) struct Rays {
 }
 
 impl Rays {
-    /// From the ray of pixel 0 and that of another one, `last`.
-    pub fn between(first: &Ray, other: &Ray, last: u32) -> Self {
-        let per_pixel = 1.0 / last as f32;
-        Self {
-            origin: first.origin,
-            origin_step: (other.origin - first.origin) * per_pixel,
-            direction: first.direction,
-            direction_step: (other.direction - first.direction) * per_pixel,
-        }
-    }
-
     /// The same, counted the other way round from the pixel before.
     pub fn turned(&self) -> Self {
         Self {

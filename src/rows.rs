@@ -3,9 +3,10 @@
 
 use crate::camera::Row;
 use crate::color::{Paint, Rgb};
-use crate::lathe::{Seen, Stop};
+use crate::lathe::{Seen, Stop, seldom};
 use crate::scene::Scene;
 use crate::solid::{Finish, Solid, SolidRow};
+use crate::vector::F32x3;
 use core::num::NonZeroU32;
 
 /// How many pixels are reckoned at once where a row cannot be: before several solids, for the depths are kept
@@ -96,12 +97,12 @@ impl Picture<'_> {
     /// A solid, where it is nearer than what is there. A lone one needs no depths.
     #[inline(never)]
     fn solid<C: Paint>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depths: &mut [f32]) {
-        let mut along = solid.along(row, x, x + run.len() as u32);
+        let mut along = solid.along(row, x, x + run.len() as u32, depths.is_empty());
         if along.is_far() {
             return;
         }
         let finish = solid.finish::<C>(row, &self.scene.light);
-        let mirrored = along.mirrored(&finish);
+        let mirrored = along.mirrored(finish.towards);
         let mut canvas = Canvas { finish, mirrored, x, y: row.y, run, depths };
         canvas.outwards(&mut along);
         if along.turn() {
@@ -128,8 +129,8 @@ impl Picture<'_> {
 /// Pixels that a solid is painted on, from column x of row y on.
 struct Canvas<'a, C> {
     finish: Finish<'a>,
-    /// If the left half sees the right one's mirror image: how that looks.
-    mirrored: Option<Finish<'a>>,
+    /// If the left half sees the right one's mirror image: that of the light.
+    mirrored: Option<F32x3>,
     x: u32,
     y: u32,
     run: &'a mut [C],
@@ -143,9 +144,8 @@ impl<C: Paint> Canvas<'_, C> {
     fn outwards(&mut self, along: &mut SolidRow) {
         let mut i = 0;
         while i < along.end() {
-            let to = along.followed(i);
-            if to > i {
-                let (next, stop) = self.follow(along, i, to);
+            if let Some(to) = along.followed(i) {
+                let (next, stop) = if to > i { self.follow(along, i, to) } else { (i, Stop::End) };
                 along.stopped(next, stop);
                 i = next;
                 continue;
@@ -154,22 +154,30 @@ impl<C: Paint> Canvas<'_, C> {
                 i = next;
                 continue;
             }
-            if self.mirrored.is_some() {
-                self.alone(along, along.opposite(i));
+            // The mirror image's own ray, too; this one last, for where it meets the solid the next one may.
+            let own = along.column(i);
+            let mut column = if self.mirrored.is_some() { along.opposite(i) } else { own };
+            loop {
+                if let Some(seen) = along.alone(column) {
+                    self.put(column, &seen);
+                }
+                if column == own {
+                    break;
+                }
+                column = own;
             }
-            self.alone(along, along.column(i));
             i += 1;
         }
     }
 
-    /// What a column's ray sees by itself, if it is nearer than what is there.
+    /// What a column's ray sees.
     #[inline(never)]
-    fn alone(&mut self, along: &mut SolidRow, column: u32) {
+    fn put(&mut self, column: u32, seen: &Seen) {
         let at = (column - self.x) as usize;
-        if let Some(seen) = along.alone(column)
-            && let Some(pixel) = self.run.get_mut(at)
+        if let Some(pixel) = self.run.get_mut(at)
+            && is_nearest(seen.t, self.depths.get_mut(at))
         {
-            paint(pixel, self.depths.get_mut(at), &self.finish, (column, column), self.y, &seen);
+            *pixel = C::shade(self.finish.shades::<C>(column, seen, self.finish.towards), column, self.y);
         }
     }
 
@@ -177,47 +185,40 @@ impl<C: Paint> Canvas<'_, C> {
     /// on the stack are not needed where rays go alone.
     #[inline(never)]
     fn follow(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
-        let Self { x, y, ref finish, ref mirrored, ref mut run, ref mut depths } = *self;
-        let column = along.column(i);
-        let at = (column - x) as usize;
-        if let Some(mirrored) = mirrored {
-            let opposite = along.opposite(i);
-            let (left, right) = run.split_at_mut(run.len() / 2);
-            let right = right.iter_mut().skip(i as usize).take((to - i) as usize);
-            let left = left.iter_mut().rev().skip(i as usize);
-            return along.follow(i, right.zip(left), |(pixel, other), k, seen| {
-                paint(pixel, None, finish, (column + k - i, column + k - i), y, seen);
-                paint(other, None, mirrored, (column + k - i, opposite + i - k), y, seen);
-            });
-        }
+        let Self { x, y, ref finish, mirrored, ref mut run, ref mut depths } = *self;
+        let mut at = (along.column(i) - x) as usize;
         let step = if along.is_turned() { usize::MAX } else { 1 };
-        let places = (0..(to - i) as usize).map(|k| at.wrapping_add(k.wrapping_mul(step)));
-        along.follow(i, places, |at, _, seen| {
+        // A pixel and its mirror image, which is nowhere if there is none.
+        let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
+        let opposite = mirrored.unwrap_or(finish.towards);
+        along.follow(i, to, |seen| {
             let column = x + at as u32;
-            if let Some(pixel) = run.get_mut(at) {
-                paint(pixel, depths.get_mut(at), finish, (column, column), y, seen);
+            if is_nearest(seen.t, depths.get_mut(at)) {
+                if let Some(pixel) = run.get_mut(at) {
+                    *pixel = C::shade(finish.shades::<C>(column, seen, finish.towards), column, y);
+                }
+                let at = both.wrapping_sub(at);
+                if let Some(pixel) = run.get_mut(at) {
+                    *pixel = C::shade(finish.shades::<C>(column, seen, opposite), x + at as u32, y);
+                }
             }
+            at = at.wrapping_add(step);
         })
     }
 }
 
-/// What a column's ray sees, in a column, its own or its mirror image's, of row y, if it is nearer than what is there.
-#[inline]
-fn paint<C: Paint>(
-    pixel: &mut C,
-    depth: Option<&mut f32>,
-    finish: &Finish,
-    (seer, column): (u32, u32),
-    y: u32,
-    seen: &Seen,
-) {
-    if let Some(depth) = depth {
-        if !(seen.t < *depth) {
-            return;
-        }
-        *depth = seen.t;
+/// Whether what is so far away is nearer than what is there, and takes its place. Nothing is there of a lone solid.
+#[inline(always)]
+fn is_nearest(t: f32, depth: Option<&mut f32>) -> bool {
+    let Some(depth) = depth else {
+        return true;
+    };
+    seldom();
+    let is_nearer = t < *depth;
+    if is_nearer {
+        *depth = t;
     }
-    *pixel = C::shade(finish.shades(seer, seen), column, y);
+    is_nearer
 }
 
 /// The pixels of a rectangle of a picture, in the order a display takes them. One run is kept; skipping costs

@@ -1,6 +1,6 @@
 //! A lathe in the world, with a colour.
 
-use crate::camera::Row;
+use crate::camera::{Projection, Row};
 use crate::color::{Paint, Rgb, Shades, Share};
 use crate::hit::Hit;
 use crate::lathe::{Lathe, Seen, Stop, Sweep};
@@ -11,7 +11,7 @@ use crate::ray::Ray;
 use crate::rays::Rays;
 use crate::solve::DefaultSolver;
 use crate::surface::Surface;
-use crate::vector::{F32x3, Vector, largest};
+use crate::vector::{F32x3, Vector, largest, vector};
 
 /// A turned solid at its place in the world: what it is, where it is, what it looks like.
 ///
@@ -73,12 +73,19 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The solid as the pixels from `start` to `end` of a row see it, if they do.
+    /// The solid as the pixels from `start` to `end` of a row see it, if they do: in halves, if it is the only one,
+    /// that may be each other's mirror image.
     #[inline(never)]
-    pub(crate) fn along<'s>(&'s self, row: &'s Row, start: u32, end: u32) -> SolidRow<'s> {
-        let last = row.width.max(2) - 1;
-        let [first, other] = [0, last].map(|i| self.ray_into(&row.ray(i)));
-        let sweep = self.lathe.sweep(&Rays::between(&first, &other, last), first.unit, start, end);
+    pub(crate) fn along<'s>(&'s self, row: &'s Row, start: u32, end: u32, is_lone: bool) -> SolidRow<'s> {
+        let Ray { origin, direction, unit } = self.ray_into(&row.ray(0));
+        let (step, projection) = row.step();
+        let (step, none) = (self.pose.rotation.back(step), vector([0.0; 3]));
+        let (origin_step, direction_step) = match projection {
+            Projection::Perspective => (none, step),
+            Projection::Orthographic => (step * unit, none),
+        };
+        let rays = Rays { origin, origin_step, direction, direction_step };
+        let sweep = self.lathe.sweep(&rays, unit, start, end, is_lone);
         SolidRow { solid: self, row, sweep }
     }
 
@@ -90,10 +97,9 @@ impl<'a> Solid<'a> {
         Finish {
             solid: self,
             row,
-            towards: self.pose.rotation.back(light.towards),
-            ambient: none.with(colour, Share::new(light.ambient)),
-            direct: none.with(colour, Share::new(1.0 - light.ambient)),
-            full: Rgb::WHITE.shades(C::SHADES),
+            towards: self.pose.rotation.back(light.towards) * Share::UNITS,
+            ambient: none.with(colour, Share::of_one(light.ambient)),
+            direct: none.with(colour, Share::of_one(1.0 - light.ambient)),
         }
     }
 }
@@ -144,26 +150,21 @@ impl SolidRow<'_> {
         self.sweep.middle - 1 - i
     }
 
-    /// How the left half looks, if it is the right one's mirror image: the same, in the light's mirror image.
-    pub fn mirrored<'s>(&self, finish: &Finish<'s>) -> Option<Finish<'s>> {
+    /// The mirror image of light from there, if the left half is the mirror image of the right one: that looks as the
+    /// right one does in that light.
+    pub fn mirrored(&self, towards: F32x3) -> Option<F32x3> {
         let across = self.sweep.mirror()?;
-        let towards = finish.towards - across * (2.0 * across.dot(finish.towards) / across.dot(across));
-        Some(Finish { towards, ..*finish })
+        Some(towards - across * (2.0 * across.dot(towards) / across.dot(across)))
     }
 
     #[inline(always)]
-    pub fn followed(&self, i: u32) -> u32 {
+    pub fn followed(&self, i: u32) -> Option<u32> {
         self.sweep.followed(i)
     }
 
     #[inline(always)]
-    pub fn follow<P>(
-        &mut self,
-        i: u32,
-        places: impl Iterator<Item = P>,
-        see: impl FnMut(P, u32, &Seen),
-    ) -> (u32, Stop) {
-        self.sweep.follow(i, places, see)
+    pub fn follow(&mut self, i: u32, to: u32, see: impl FnMut(&Seen)) -> (u32, Stop) {
+        self.sweep.follow(i, to, see)
     }
 
     /// The root was followed up to the i-th pixel: what is to be done now?
@@ -193,39 +194,39 @@ impl SolidRow<'_> {
 }
 
 /// How a solid's surface looks along a row.
-#[derive(Clone, Copy)]
 pub(crate) struct Finish<'a> {
     solid: &'a Solid<'a>,
     row: &'a Row<'a>,
-    /// Towards the light, in the solid's own space.
-    towards: F32x3,
+    /// Towards the light, in the solid's own space, as many long as there are units in a share of 1.
+    pub towards: F32x3,
     /// What is seen in the shade, and what the light adds where it falls straight, in shades.
     ambient: Shades,
     direct: Shades,
-    /// White.
-    full: Shades,
 }
 
 impl Finish<'_> {
-    /// The colour of what a column's ray sees, in shades.
-    #[inline(always)]
-    pub fn shades(&self, column: u32, seen: &Seen) -> Shades {
+    /// The colour of what a column's ray sees, in shades, in light from there.
+    #[inline]
+    pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, towards: F32x3) -> Shades {
         let Seen { gradient, per_length, .. } = *seen;
-        let nl = per_length * gradient.dot(self.towards);
+        let nl = per_length * gradient.dot(towards);
         let matt = self.ambient.with(self.direct, Share::new(nl));
         if self.solid.shininess == 0 {
             return matt;
         }
-        let Self { solid, row, towards, full, .. } = *self;
-        let share = highlight(solid, row, column, towards, gradient * per_length, nl);
-        matt.with(full, Share::new(share)).least(full)
+        let Self { solid, row, .. } = *self;
+        let full = const { Shades::of(C::SHADES) };
+        let share = highlight(solid, row, column, towards, gradient * per_length);
+        matt.with(full, Share::of_one(share)).least(full)
     }
 }
 
-/// The share of white that a column's ray sees, given the direction of the light and the normal, and n·l.
+/// The share of white that a column's ray sees, given the direction of the light and the normal.
 #[cold]
 #[inline(never)]
-fn highlight(solid: &Solid, row: &Row, column: u32, towards: F32x3, normal: F32x3, nl: f32) -> f32 {
+fn highlight(solid: &Solid, row: &Row, column: u32, towards: F32x3, normal: F32x3) -> f32 {
+    let towards = towards * (1.0 / Share::UNITS);
+    let nl = normal.dot(towards);
     let view = solid.pose.rotation.back(row.ray(column).direction);
     let per_length = -inverse_root(view.dot(view));
     let (nv, lv) = (per_length * normal.dot(view), per_length * towards.dot(view));

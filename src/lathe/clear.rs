@@ -18,52 +18,23 @@ pub(super) struct Crest {
 }
 
 impl Sweep<'_> {
-    /// A bound on g along a ray.
-    ///
-    /// From one point of it, the one nearest to the axis, if g is concave all along the ray but for kinks:
-    /// `g ≤ g₀ + (A ± J)·x + K·x²` (`first.rs`). Otherwise, and where that does not tell, from one point in each
-    /// segment.
-    #[inline(always)]
-    fn crest(&self, path: &Path) -> Crest {
-        let (near, far) = path.slab(self.lathe.frame.low, self.lathe.frame.high);
-        let (near, far) = (greater(-self.span, near), lesser(self.span, far));
-        let (all, segments) = (self.all(), self.lathe.segments);
-        let k = all.bulge * (self.steep * self.steep) - self.q;
-        if k < -0.5 * self.q && near < far {
-            let at = path.closest(near, far);
-            if let Some(segment) =
-                segments.get(entered(path, segments, at, if path.rises() { 1 } else { usize::MAX }))
-            {
-                let [c0, c1, ..] = path.g_about(segment, at).c;
-                let j = all.kinks * self.steep;
-                let rise = greater(highest(c1 + j, k, 0.0, far - at), highest(c1 - j, k, at - near, 0.0));
-                if c0 + rise < -self.doubt {
-                    return Crest { g: c0 + rise, entry: None };
-                }
-            }
-        }
-        self.crest_by_segments(path, 1.0, near, far)
-    }
-
     /// A bound on g, or on its negative, along a ray between two points of it, by the cubics of the segments.
     #[inline(never)]
-    pub(super) fn crest_by_segments(&self, path: &Path, sign: f32, near: f32, far: f32) -> Crest {
+    pub(super) fn crest(&self, path: &Path, sign: f32, (near, far): (f32, f32)) -> Crest {
         let segments = self.lathe.segments;
         let mut crest = Crest { g: f32::NEG_INFINITY, entry: None };
-        for step in 0..segments.len() {
-            let index = if path.rises() { step } else { segments.len() - 1 - step };
-            let Some(segment) = segments.get(index) else {
-                break;
-            };
-            let (from, to) = path.slab(segment.low, segment.high);
-            let (from, to) = (greater(near, from), lesser(far, to));
+        let step = if path.rises() { 1 } else { usize::MAX };
+        let mut index = entered(path, segments, near, step);
+        let mut from = near;
+        while from < far
+            && let Some(segment) = segments.get(index)
+        {
+            let (_, to) = path.slab(segment.low, segment.high);
+            let to = lesser(far, to);
             let at = path.closest(from, to);
             // As high as it can come in the segment's cylinder, if that tells enough.
             let mut most_here = segment.reach - path.around(at).0;
-            if !(from < to && (sign < 0.0 || most_here > crest.g)) {
-                continue;
-            }
-            if sign < 0.0 || !(most_here < -self.doubt) {
+            if sign < 0.0 || most_here > crest.g && !(most_here < -self.doubt) {
                 let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
                 most_here = most(&g, at - from, to - at);
                 if !(most_here < -self.doubt) && crest.entry.is_none() {
@@ -71,6 +42,8 @@ impl Sweep<'_> {
                 }
             }
             crest.g = greater(crest.g, most_here);
+            from = to;
+            index = index.wrapping_add(step);
         }
         crest
     }
@@ -79,7 +52,8 @@ impl Sweep<'_> {
     /// i-th itself, if it may; then a root is followed, if it is known where to.
     pub(super) fn clear_until(&mut self, i: u32) -> u32 {
         let path = self.path(i);
-        let crest = self.crest(&path);
+        let reach = self.reach(&path);
+        let crest = self.crest(&path, 1.0, reach);
         if !(crest.g < -self.doubt) {
             if let Some((index, s)) = crest.entry {
                 self.begin(index, s, 1.0);
@@ -90,10 +64,7 @@ impl Sweep<'_> {
         let clear = match crest.g {
             // The same heights all along the row, and nothing there.
             f32::NEG_INFINITY if self.drift == 0.0 => left,
-            // All of the ray is outside the ball around the solid: there g is below zero, by as much as you like or
-            // as little.
-            f32::NEG_INFINITY => Pace::of(self, i, &path, left).pixels(&path, 0.0),
-            g => Pace::of(self, i, &path, left).pixels(&path, -g - self.doubt),
+            g => Pace::of(self, i, reach).pixels(-g - self.doubt),
         };
         i + 1 + clear.min(left)
     }
@@ -110,42 +81,28 @@ pub(super) struct Pace {
     v: [F32x3; 2],
     /// The derivative of g by the pixel's number there, `p0 + p1·s + p2·s²`.
     p: [f32; 3],
-    /// The heights are those of s from here to there. Beyond the span this ray is outside the ball around the
-    /// solid, others may not be.
+    /// The heights are those of s from here to there.
     from: f32,
     to: f32,
-    span: f32,
     /// For so many pixels the rays go on rising or falling, no less than 7/8 as steeply: so the points at a
     /// height move no more than 8/7 as fast.
     level: f32,
-    /// The square of the bounding cylinder's radius.
-    reach: f32,
 }
 
 impl Pace {
-    /// From the i-th ray on, for so many pixels.
-    pub fn of(sweep: &Sweep, i: u32, path: &Path, pixels: u32) -> Self {
-        let ((m, d), frame) = (sweep.rays.at(i), sweep.lathe.frame);
+    /// From the i-th ray on, at the heights that it has between two points.
+    pub fn of(sweep: &Sweep, i: u32, (from, to): (f32, f32)) -> Self {
+        let (m, d) = sweep.rays.at(i);
         let (m1, d1) = (sweep.rays.origin_step, sweep.rays.direction_step);
         // The point of height z moves by as much as the ray does, and along it so far that z stays.
         let (per_dz, level) = if sweep.drift > 0.0 {
-            (path.per_dz, d.z.abs() / (8.0 * d1.z.abs()))
+            (1.0 / d.z, d.z.abs() / (8.0 * d1.z.abs()))
         } else {
             (0.0, f32::INFINITY)
         };
         let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
         let p = [flat(m, v0), flat(m, v1) + flat(d, v0), flat(d, v1)].map(|p| -2.0 * p);
-        // What the solid can be at on any of the rays.
-        let pixels = lesser(pixels as f32, level);
-        let beyond = sweep.span + pixels * sweep.drift * per_dz.abs();
-        let (from, to) = path.slab(frame.low, frame.high);
-        let (from, to) = (greater(-beyond, from), lesser(beyond, to));
-        Self { v: [v0, v1], p, from, to, span: sweep.span, level, reach: frame.reach }
-    }
-
-    /// Only as far as s.
-    pub fn up_to(self, s: f32) -> Self {
-        Self { to: lesser(s, self.to), ..self }
+        Self { v: [v0, v1], p, from, to, level }
     }
 
     /// At the height of s.
@@ -161,33 +118,14 @@ impl Pace {
         flat(v, v)
     }
 
-    /// How many pixels there are before g, `room` below zero now, can have come to zero anywhere.
-    ///
-    /// In n pixels it grows by n times its pace, or less. So it does for room/pace pixels as long as the ray
-    /// is in the cylinder in which x² + y² is no more than the largest F and twice the room. Outside, g is below
-    /// −2·room, and ever farther below as x² + y² grows along the ray faster than n times the pace.
-    pub fn pixels(&self, path: &Path, room: f32) -> u32 {
+    /// How many pixels there are before g, `room` below zero now, can have come to zero anywhere: in n of them it
+    /// grows by n times its pace, or less.
+    pub fn pixels(&self, room: f32) -> u32 {
         let [_, p1, p2] = self.p;
-        let mut room = room;
-        for (from, to) in [(self.from, -self.span), (self.span, self.to)] {
-            if from < to {
-                room = lesser(room, greater(0.0, path.around(path.closest(from, to)).0 - self.reach));
-            }
-        }
-        let room = greater(room, path.square - self.reach);
-        let half = Native::sqrt((self.reach + 2.0 * room - path.square) / path.q);
-        let within = |s| lesser(self.to, greater(self.from, s));
-        let (from, to) = (within(path.nearest - half), within(path.nearest + half));
-        let slope = |s: f32| p1 + 2.0 * p2 * s;
-        let most = self.at(from) + highest(slope(from), p2, 0.0, to - from);
-        let steepest = greater(-slope(from), slope(to));
-        let mut n = lesser(self.level, 1e9);
-        for (room, pace) in [(room, most), (2.0 * path.q * half, steepest), (path.q, p2)] {
-            if !(pace <= 0.0) {
-                n = lesser(n, 0.875 * room / pace);
-            }
-        }
-        n as u32
+        let (from, to) = (self.from, self.to);
+        let most = self.at(from) + highest(p1 + 2.0 * p2 * from, p2, 0.0, to - from);
+        let n = if most <= 0.0 { f32::INFINITY } else { 0.875 * room / most };
+        lesser(self.level, n) as u32
     }
 
     /// How many pixels there are before g, `room` above zero now, can have come to zero anywhere: as the square

@@ -16,7 +16,7 @@ use super::clear::Pace;
 use super::path::flat;
 use super::segment::Cover;
 use super::sweep::Sweep;
-use crate::math::order::greater;
+use crate::math::order::lesser;
 use crate::vector::F32x3;
 
 /// How a root is known to be the first, before the pixel `until`: by its slope, if that is more than `slope`,
@@ -54,18 +54,17 @@ impl Sweep<'_> {
         let (path, segment, sign) = (self.path(i), self.segment, self.sign);
         let frame = self.lathe.frame;
         let end = if path.rises() { frame.base } else { frame.top };
-        if sign < 0.0 && end.is_some() || self.first.until < u32::MAX {
+        if sign < 0.0 && end.is_some() {
             return false;
         }
-        let entry = greater(-self.span, path.slab(segment.low, segment.high).0);
-        let (near, _) = path.slab(frame.low, frame.high);
-        let before = self.crest_by_segments(&path, sign, greater(-self.span, near), entry).g;
-        if !(before < -self.doubt) {
+        let (near, far) = self.reach(&path);
+        let before = (near, lesser(far, path.slab(segment.low, segment.high).0));
+        let crest = self.crest(&path, sign, before).g;
+        if !(crest < -self.doubt) {
             return false;
         }
-        let pace = Pace::of(self, i, &path, AHEAD).up_to(entry);
-        let room = -before - self.doubt;
-        let n = if sign > 0.0 { pace.pixels(&path, room) } else { pace.pixels_within(room) };
+        let (pace, room) = (Pace::of(self, i, before), -crest - self.doubt);
+        let n = if sign > 0.0 { pace.pixels(room) } else { pace.pixels_within(room) };
         let is_concave = sign > 0.0 && segment.bulge() * (self.steep * self.steep) <= self.q;
         let slope = if is_concave { self.slack } else { f32::INFINITY };
         self.first = First { slope, by_cubic: !is_concave, until: i + 1 + n.min(AHEAD) };

@@ -43,21 +43,16 @@ pub(crate) enum Stop {
 }
 
 impl Sweep<'_> {
-    /// The pixel as far as which the root can be followed from the i-th: i if there is none.
+    /// The pixel as far as which the root, if there is one, can be followed from the i-th.
     #[inline(always)]
-    pub fn followed(&self, i: u32) -> u32 {
-        if self.following { self.end.min(i + FRESH).min(self.first.until) } else { i }
+    pub fn followed(&self, i: u32) -> Option<u32> {
+        self.following.then(|| self.end.min(i + FRESH).min(self.first.until))
     }
 
-    /// Follows the root from the i-th pixel on, to as many as `places` says, and hands over what each sees.
-    /// The first pixel that it is not certain of, if any, is the one returned.
+    /// Follows the root from the i-th pixel on, up to another, and hands over what each sees. The first pixel that it
+    /// is not certain of, if any, is the one returned.
     #[inline(always)]
-    pub fn follow<P>(
-        &mut self,
-        mut i: u32,
-        places: impl Iterator<Item = P>,
-        mut see: impl FnMut(P, u32, &Seen),
-    ) -> (u32, Stop) {
+    pub fn follow(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen)) -> (u32, Stop) {
         let segment = self.segment;
         let own = |v: F32x3, from: f32| vector([v.x, v.y, (v.z - from) * segment.per_height]);
         let (m, d) = self.rays.at(i);
@@ -70,12 +65,16 @@ impl Sweep<'_> {
         let root_squash = self.lathe.frame.root_squash;
         let certain = self.first.slope;
         let (sign, tolerance) = (self.sign, self.tolerance);
-        let (from, width) = (self.from, (self.to - self.from).to_bits());
+        // At the solid's ends roots are in doubt.
+        let pad = self.doubt * segment.per_height;
+        let from = if self.index == 0 { pad } else { 0.0 };
+        let to_end = if self.index + 1 == self.lathe.segments.len() { pad } else { 0.0 };
+        let width = (1.0 - from - to_end).to_bits();
         let (mut s, mut step, mut bend) = (self.s, self.step, self.bend);
         let start = i;
 
         let mut stop = Stop::End;
-        'pixels: for place in places {
+        'pixels: while i < to {
             let guess = s;
             let mut tries = STEPS;
             loop {
@@ -110,7 +109,7 @@ impl Sweep<'_> {
                 }
                 let e = (e2 * u + e1) * u + e0;
                 let t = (self.shift + s) * self.per_unit;
-                see(place, i, &Seen::new(t, vector([root_squash * x, y, e]), sign));
+                see(&Seen::new(t, vector([root_squash * x, y, e]), sign));
                 break;
             }
             // As far again, and by how much that grew again.
@@ -128,20 +127,26 @@ impl Sweep<'_> {
         (i, stop)
     }
 
-    /// What is to be done where a root is followed no farther: the next segment's, another certificate, or none.
+    /// Where a root is followed no farther, in its segment or the next, it may be certain still.
     #[inline(never)]
     pub fn stopped(&mut self, i: u32, stop: Stop) {
         self.tries -= 1;
-        let go_on = self.tries > 0
-            && match stop {
-                Stop::End => self.first.until > i || self.enter(self.index),
-                Stop::Uncertain => self.certify(i),
-                Stop::Left(u) => {
-                    self.enter(if u > 0.5 { self.index + 1 } else { self.index.wrapping_sub(1) })
-                }
-                Stop::Lost => false,
-            };
-        if !go_on {
+        let index = match stop {
+            Stop::End if i < self.first.until => return,
+            Stop::Left(u) if u > 0.5 => self.index + 1,
+            Stop::Left(_) => self.index.wrapping_sub(1),
+            _ => self.index,
+        };
+        let is_uncertain = matches!(stop, Stop::Uncertain);
+        let may_be = self.tries > 0
+            && !matches!(stop, Stop::Lost)
+            && !(is_uncertain && self.first.until < u32::MAX)
+            && self.enter(index);
+        if may_be && !is_uncertain {
+            self.first = self.first_by_cover();
+        }
+        let is_known = !is_uncertain && self.first.slope < f32::INFINITY;
+        if !(may_be && (is_known || self.certify(i))) {
             self.following = false;
             // Looking would find the same root, unless there is none.
             if !matches!(stop, Stop::Lost) {
@@ -154,4 +159,4 @@ impl Sweep<'_> {
 /// Tells the compiler which way not to lay out for speed.
 #[cold]
 #[inline(always)]
-fn seldom() {}
+pub(crate) fn seldom() {}

@@ -40,6 +40,9 @@ pub(crate) struct Sweep<'a> {
     pub is_turned: bool,
     /// Every point of the solid on every ray of the run has |s| ≤ span.
     pub(super) span: f32,
+    /// From where to where in height rays of the run can meet the solid.
+    pub(super) low: f32,
+    pub(super) high: f32,
     /// The largest |dz| and the least q of any ray of the run.
     pub(super) steep: f32,
     pub(super) q: f32,
@@ -62,11 +65,9 @@ pub(crate) struct Sweep<'a> {
     pub(super) s: f32,
     pub(super) step: f32,
     pub(super) bend: f32,
-    /// The segment it is in, and from where to where in it roots are certain.
+    /// The segment it is in.
     pub(super) index: usize,
     pub(super) segment: &'a Segment,
-    pub(super) from: f32,
-    pub(super) to: f32,
     /// How it is known to be the first.
     pub(super) first: First,
     /// The pixel last looked at in vain.
@@ -87,7 +88,14 @@ const ROOT: f32 = 1.0 / 2_097_152.0;
 impl Lathe {
     /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own.
     #[inline(always)]
-    pub(crate) fn sweep(&self, rays: &Rays, unit: f32, start: u32, end: u32) -> Sweep<'_> {
+    pub(crate) fn sweep(
+        &self,
+        rays: &Rays,
+        unit: f32,
+        start: u32,
+        end: u32,
+        is_lone: bool,
+    ) -> Sweep<'_> {
         let lathe = self.view();
         let frame = lathe.frame;
         let (d, d1) = (frame.squashed(rays.direction), frame.squashed(rays.direction_step));
@@ -112,8 +120,8 @@ impl Lathe {
         // q are above their tangents there.
         let least = square - 2.0 * half * dot(dc, d1).abs();
         let length = Native::sqrt(least);
-        let lean = dot(mc, d1) + dot(m1, dc);
-        let across = half * lean.abs() + half * half * dot(m1, d1).abs();
+        let lean = flat(mc, d1) + flat(m1, dc);
+        let across = half * (lean + mc.z * d1.z + m1.z * dc.z).abs() + half * half * dot(m1, d1).abs();
         let span = (across / length + frame.size) / length;
         let q = flat(dc, dc) - 2.0 * half * flat(dc, d1).abs();
         let steep = dc.z.abs() + half * d1.z.abs();
@@ -127,13 +135,17 @@ impl Lathe {
         let is_usable =
             least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25 && frame.steepest < 1e9;
         let is_mirrored =
-            is_usable && frame.squash == 1.0 && (end - start) % 2 == 0 && 8.0 * lopsided < rounding;
+            is_usable && is_lone && frame.squash == 1.0 && (end - start) % 2 == 0 && 8.0 * lopsided < rounding;
+        // The row's plane holds a horizontal line at each height: where that meets the axis, and from where to where it
+        // is within the cylinder around the solid.
+        let normal = cross(m1, dc);
+        let height = dot(normal, mc) / normal.z;
+        let slope = Native::sqrt((frame.reach + doubt) * flat(normal, normal)) / normal.z.abs() + ROUNDING * distance;
+        let (low, high) = (greater(frame.low, height - slope), lesser(frame.high, height + slope));
         let middle = if is_mirrored {
             start + (end - start) / 2
         } else {
-            // Where the row's plane meets the axis, if that is within the solid; otherwise the end nearest to there.
-            let normal = cross(m1, dc);
-            let height = lesser(frame.high, greater(frame.low, dot(normal, mc) / normal.z));
+            let height = lesser(frame.high, greater(frame.low, height));
             let there = vector([-mc.x, -mc.y, height - mc.z]);
             let across = m1 + d1 * (dot(there, dc) / square);
             let across = across - dc * (dot(across, dc) / square);
@@ -157,6 +169,8 @@ impl Lathe {
             left: middle - start,
             is_turned: false,
             span,
+            low,
+            high,
             steep,
             rising: (dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
             q,
@@ -171,8 +185,6 @@ impl Lathe {
             bend: 0.0,
             index: 0,
             segment: lathe.segments.first().unwrap_or(&Segment::EMPTY),
-            from: 0.0,
-            to: 0.0,
             first: First::UNKNOWN,
             looked: u32::MAX,
             tries: STEPS,
@@ -187,17 +199,21 @@ impl Sweep<'_> {
         Path::about(m, d, 0.0, 1.0)
     }
 
+    /// From where to where any of the run's rays can meet the solid at the height that this one has there.
+    pub(super) fn reach(&self, path: &Path) -> (f32, f32) {
+        // Others come to a height later or earlier.
+        let apart = if self.drift > 0.0 { self.end as f32 * self.drift * path.per_dz.abs() } else { 0.0 };
+        let (near, far) = path.slab(self.low, self.high);
+        (greater(-self.span - apart, near), lesser(self.span + apart, far))
+    }
+
     /// Looks for roots in the segment of that number, if there is one.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn enter(&mut self, index: usize) -> bool {
         let Some(segment) = self.lathe.segments.get(index) else {
             return false;
         };
         (self.index, self.segment) = (index, segment);
-        let pad = self.doubt * segment.per_height;
-        self.from = if index == 0 { pad } else { 0.0 };
-        self.to = if index + 1 == self.lathe.segments.len() { 1.0 - pad } else { 1.0 };
-        self.first = self.first_by_cover();
         true
     }
 
@@ -232,10 +248,10 @@ impl Sweep<'_> {
         (next > i || self.following).then_some(next)
     }
 
-    /// Follows a root from near s in that segment on.
+    /// There is a root near s in that segment to follow from the next pixel asked for on.
     pub(super) fn begin(&mut self, index: usize, s: f32, sign: f32) {
         (self.sign, self.s, self.step, self.bend, self.tries) = (sign, s, 0.0, 0.0, STEPS);
-        self.following = self.is_usable && self.enter(index);
+        (self.index, self.first.until, self.following) = (index, 0, self.is_usable);
     }
 
     /// A ray gone alone meets the lathe here: there the next one's root is looked for.

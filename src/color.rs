@@ -47,7 +47,7 @@ impl Rgb {
     /// is not a number.
     #[inline(never)]
     pub(crate) fn shades(self, most: Self) -> Shades {
-        let cut = |share: f32, most: f32| lesser(1.0, share) * most;
+        let cut = |share: f32, most: f32| lesser(share, 1.0) * most;
         Shades::of(Self::new(cut(self.r, most.r), cut(self.g, most.g), cut(self.b, most.b)))
     }
 
@@ -101,20 +101,39 @@ impl Shades {
         Self { r: (shades.r * ONE) as u32, g: (shades.g * ONE) as u32, b: (shades.b * ONE) as u32 }
     }
 
-    /// With a share of other shades added. The sum must be less than 256.
+    /// That share of them.
     #[inline(always)]
-    pub(crate) fn with(self, other: Self, Share(share): Share) -> Self {
+    pub(crate) fn dimmed(self, Share(share): Share) -> Self {
         let part = |shade: u32| ((u64::from(shade) * u64::from(share)) >> 32) as u32;
+        Self { r: part(self.r), g: part(self.g), b: part(self.b) }
+    }
+
+    /// With others added. The sum must be less than 256.
+    #[inline(always)]
+    pub(crate) const fn with(self, other: Self) -> Self {
         Self {
-            r: self.r.wrapping_add(part(other.r)),
-            g: self.g.wrapping_add(part(other.g)),
-            b: self.b.wrapping_add(part(other.b)),
+            r: self.r.wrapping_add(other.r),
+            g: self.g.wrapping_add(other.g),
+            b: self.b.wrapping_add(other.b),
         }
     }
 
-    /// No channel more than another colour's.
-    pub(crate) fn least(self, most: Self) -> Self {
-        Self { r: self.r.min(most.r), g: self.g.min(most.g), b: self.b.min(most.b) }
+    /// With others, no more than these, taken off.
+    pub(crate) const fn without(self, other: Self) -> Self {
+        Self {
+            r: self.r.wrapping_sub(other.r),
+            g: self.g.wrapping_sub(other.g),
+            b: self.b.wrapping_sub(other.b),
+        }
+    }
+
+    /// With others added, each channel as far as `most`.
+    pub(crate) fn with_up_to(self, other: Self, most: Self) -> Self {
+        Self {
+            r: self.r.saturating_add(other.r).min(most.r),
+            g: self.g.saturating_add(other.g).min(most.g),
+            b: self.b.saturating_add(other.b).min(most.b),
+        }
     }
 }
 

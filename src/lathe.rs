@@ -16,8 +16,8 @@
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
 //! (`walk.rs`.)
 //!
-//! The rays of a row of pixels are followed together: `sweep.rs`, `follow.rs`, and what certifies it, `first.rs` and
-//! `clear.rs`.
+//! The rays of a row of pixels are followed together: `run.rs`, `sweep.rs`, `follow.rs`, and what certifies it,
+//! `first.rs` and `clear.rs`.
 
 mod bound;
 mod chord;
@@ -25,6 +25,7 @@ mod clear;
 mod first;
 mod follow;
 mod path;
+mod run;
 mod segment;
 mod sweep;
 mod walk;

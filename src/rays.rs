@@ -24,8 +24,7 @@ impl Rays {
 
     /// Origin and direction of pixel i.
     #[inline(always)]
-    pub fn at(&self, i: u32) -> (F32x3, F32x3) {
-        let i = i as f32;
+    pub fn at(&self, i: f32) -> (F32x3, F32x3) {
         (self.origin + self.origin_step * i, self.direction + self.direction_step * i)
     }
 }

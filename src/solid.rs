@@ -73,8 +73,8 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The solid as the pixels from `start` to `end` of a row see it, if they do: in halves, if it is the only one,
-    /// that may be each other's mirror image.
+    /// The solid as the pixels from `start` to `end` of a row see it; in halves that may be each other's mirror image,
+    /// if there is no other solid.
     #[inline(never)]
     pub(crate) fn along<'s>(&'s self, row: &'s Row, start: u32, end: u32, is_lone: bool) -> SolidRow<'s> {
         let Ray { origin, direction, unit } = self.ray_into(&row.ray(0));
@@ -85,7 +85,7 @@ impl<'a> Solid<'a> {
             Projection::Orthographic => (step * unit, none),
         };
         let rays = Rays { origin, origin_step, direction, direction_step };
-        let sweep = self.lathe.sweep(&rays, unit, start, end, is_lone);
+        let sweep = self.lathe.sweep(&rays, unit, (start, end), is_lone);
         SolidRow { solid: self, row, sweep }
     }
 
@@ -93,13 +93,13 @@ impl<'a> Solid<'a> {
     #[inline(always)]
     pub(crate) fn finish<'s, C: Paint>(&'s self, row: &'s Row, light: &Light) -> Finish<'s> {
         let colour = self.colour.shades(C::SHADES);
-        let none = Shades { r: 0, g: 0, b: 0 };
+        let ambient = colour.dimmed(Share::of_one(light.ambient));
         Finish {
             solid: self,
             row,
             towards: self.pose.rotation.back(light.towards) * Share::UNITS,
-            ambient: none.with(colour, Share::of_one(light.ambient)),
-            direct: none.with(colour, Share::of_one(1.0 - light.ambient)),
+            ambient,
+            direct: colour.without(ambient),
         }
     }
 }
@@ -124,16 +124,17 @@ impl SolidRow<'_> {
         self.sweep.is_far
     }
 
-    /// How many pixels there are, counted from the middle of what is seen to the right, or, turned, to the left.
+    /// How many pixels there are: from the middle of what is seen to the right, or, turned, to the left.
     pub fn end(&self) -> u32 {
         self.sweep.end
     }
 
-    /// Goes on with the left half, if that is still to be seen.
+    /// Goes on with the left half, if that is not seen yet.
     pub fn turn(&mut self) -> bool {
         self.sweep.turn()
     }
 
+    /// Whether pixels are counted to the left.
     pub fn is_turned(&self) -> bool {
         self.sweep.is_turned
     }
@@ -145,35 +146,37 @@ impl SolidRow<'_> {
         if self.sweep.is_turned { middle - 1 - i } else { middle + i }
     }
 
-    /// The column of its mirror image.
+    /// The column of the i-th pixel's mirror image.
     pub fn opposite(&self, i: u32) -> u32 {
         self.sweep.middle - 1 - i
     }
 
-    /// The mirror image of light from there, if the left half is the mirror image of the right one: that looks as the
-    /// right one does in that light.
+    /// The mirror image of the light's direction, if the left half is the right one's: what it sees looks as what the
+    /// right one sees does in that light.
     pub fn mirrored(&self, towards: F32x3) -> Option<F32x3> {
         let across = self.sweep.mirror()?;
         Some(towards - across * (2.0 * across.dot(towards) / across.dot(across)))
     }
 
+    /// The pixel as far as which the root, if there is one, can be followed from the i-th.
     #[inline(always)]
     pub fn followed(&self, i: u32) -> Option<u32> {
         self.sweep.followed(i)
     }
 
+    /// Follows it from the i-th pixel up to another. The first pixel that it is not certain of, if any, is the one
+    /// returned.
     #[inline(always)]
     pub fn follow(&mut self, i: u32, to: u32, see: impl FnMut(&Seen)) -> (u32, Stop) {
         self.sweep.follow(i, to, see)
     }
 
-    /// The root was followed up to the i-th pixel: what is to be done now?
+    /// The root was followed up to the i-th pixel, and why no farther: there may be another way to go on.
     pub fn stopped(&mut self, i: u32, stop: Stop) {
         self.sweep.stopped(i, stop);
     }
 
-    /// With nothing to follow, the next pixel to ask for: this one again, if now there is, or the first that may see
-    /// something. None if this one's ray has to go alone. Apart, as that is: their stacks are not both needed.
+    /// As [`Sweep::look`]. Apart, as `alone` is: their stacks are not both needed.
     #[inline(never)]
     pub fn look(&mut self, i: u32) -> Option<u32> {
         self.sweep.look(i)
@@ -197,7 +200,7 @@ impl SolidRow<'_> {
 pub(crate) struct Finish<'a> {
     solid: &'a Solid<'a>,
     row: &'a Row<'a>,
-    /// Towards the light, in the solid's own space, as many long as there are units in a share of 1.
+    /// Towards the light, in the solid's own space: as long as a share of 1 has units.
     pub towards: F32x3,
     /// What is seen in the shade, and what the light adds where it falls straight, in shades.
     ambient: Shades,
@@ -210,14 +213,14 @@ impl Finish<'_> {
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, towards: F32x3) -> Shades {
         let Seen { gradient, per_length, .. } = *seen;
         let nl = per_length * gradient.dot(towards);
-        let matt = self.ambient.with(self.direct, Share::new(nl));
+        let matt = self.ambient.with(self.direct.dimmed(Share::new(nl)));
         if self.solid.shininess == 0 {
             return matt;
         }
         let Self { solid, row, .. } = *self;
         let full = const { Shades::of(C::SHADES) };
         let share = highlight(solid, row, column, towards, gradient * per_length);
-        matt.with(full, Share::of_one(share)).least(full)
+        matt.with_up_to(full.dimmed(Share::of_one(share)), full)
     }
 }
 

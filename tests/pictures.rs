@@ -281,6 +281,27 @@ fn few_shades_are_dithered() {
     }
 }
 
+/// Of the reference scenes and of a white ball in a light that leaves no shade: a highlight adds light, up to white.
+#[test]
+fn gloss_only_brightens() {
+    static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
+    let ball = Scene {
+        solids: &[Solid::new(&BALL, Rgb::WHITE).shiny(5)],
+        camera: valid!(Camera::perspective([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 0.3)),
+        light: valid!(Light::new([0.0, -1.0, 0.3], 1.0)),
+        background: Background::Plain(Rgb::BLACK),
+    };
+    for scene in [&scenes::INSIDE_SCENE, &scenes::STILL_LIFE, &ball] {
+        let matt: Vec<_> = scene.solids.iter().map(|solid| solid.shiny(0)).collect();
+        let matt = rows(&Scene { solids: &matt, ..*scene }, 60, 60, &[60], Rgb888::BLACK);
+        let shiny = rows(scene, 60, 60, &[60], Rgb888::BLACK);
+        let channels = |pixel: &Rgb888| [pixel.r(), pixel.g(), pixel.b()];
+        let pairs = || matt.iter().flat_map(channels).zip(shiny.iter().flat_map(channels));
+        assert!(pairs().all(|(matt, shiny)| matt <= shiny));
+        assert!(pairs().any(|(_, shiny)| shiny == 255));
+    }
+}
+
 #[test]
 fn the_nearer_solid_hides_the_farther_whatever_their_order() {
     static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));

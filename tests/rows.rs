@@ -187,9 +187,26 @@ fn random_camera(rng: &mut ChaCha8Rng) -> Camera {
     }
 }
 
-/// Two hundred, or as many as `SCENES` says.
-#[test]
-fn random_scenes_are_those_of_single_rays() {
+/// Upright, somewhere around the axis, and looking at it: rows are their own mirror image.
+fn upright_camera(rng: &mut ChaCha8Rng) -> Camera {
+    loop {
+        let distance: f32 = [0.3, 1.5, 3.0, 6.0][rng.random_range(0..4)];
+        let turn = Rotation::about_z(even(rng, -3.0, 3.0));
+        let eye = turn.apply([0.0, -distance, even(rng, -distance, distance)]).to_array();
+        let (target, up) = ([0.0, 0.0, even(rng, -0.3, 0.3)], [0.0, 0.0, 1.0]);
+        let camera = if rng.random() {
+            Camera::orthographic(eye, target, up, even(rng, 0.2, 1.5))
+        } else {
+            Camera::perspective(eye, target, up, even(rng, 0.2, 1.0) / distance.max(1.0))
+        };
+        if let Ok(camera) = camera {
+            return camera;
+        }
+    }
+}
+
+/// As many random scenes as `SCENES` says, or two hundred, each seen by such a camera: rows against single rays.
+fn random_scenes(side: u32, camera: impl Fn(&mut ChaCha8Rng) -> Camera) {
     let scenes = std::env::var("SCENES").map_or(200, |number| number.parse().expect("a number"));
     let mut rng = ChaCha8Rng::seed_from_u64(1995);
     let mut difference = Difference::default();
@@ -202,15 +219,106 @@ fn random_scenes_are_those_of_single_rays() {
         let towards = [even(&mut rng, -1.0, 1.0), -1.0, 0.5];
         let scene = Scene {
             solids: &solids[..rng.random_range(1..=2)],
-            camera: random_camera(&mut rng),
+            camera: camera(&mut rng),
             light: Light::new(towards, 0.2).unwrap(),
             background: BLACK,
         };
         difference.add(
             &Known { scene, colours: &colours, towards, ambient: 0.2 },
-            60,
+            side,
             &format!("scene {number}"),
         );
     }
     difference.assert_none();
+}
+
+#[test]
+fn random_scenes_are_those_of_single_rays() {
+    random_scenes(60, random_camera);
+}
+
+#[test]
+fn random_upright_scenes_are_those_of_single_rays() {
+    // Three runs of 16 pixels, where there are two solids: that in the middle sees one of them mirrored.
+    random_scenes(48, upright_camera);
+}
+
+/// Rays exactly level in rows that are not, views from straight above, and pictures of next to nothing of a solid.
+fn exact_cameras() -> Vec<Camera> {
+    let up = [0.0, 0.0, 1.0];
+    let mut cameras = vec![
+        // The middle of the ball's picture is on the ball, and not on the axis.
+        Camera::orthographic([0.7, -3.0, 0.0], [0.7, 0.0, 0.0], up, 1e-7),
+        Camera::orthographic([0.7, -1e4, 0.0], [0.7, 0.0, 0.0], up, 1e-3),
+        Camera::orthographic([0.0, 0.0, 5.0], [0.0; 3], [0.3, 1.0, 0.0], 1.2),
+        Camera::perspective([0.0, 0.0, 5.0], [0.0; 3], [0.3, 1.0, 0.0], 0.3),
+    ];
+    for roll in [0.0, 0.5, 1.0, f32::INFINITY] {
+        let up = if roll < f32::INFINITY { [roll, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };
+        cameras.push(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], up, 1.2));
+        cameras.push(Camera::perspective([0.0, -5.0, 0.0], [0.0; 3], up, 0.3));
+    }
+    cameras.into_iter().map(Result::unwrap).collect()
+}
+
+#[test]
+fn exact_views_are_those_of_single_rays() {
+    let ball = Lathe::turn(Profile::<1>::sphere(1.0).unwrap());
+    let towards = [-0.5, -0.7, 0.5];
+    let light = Light::new(towards, 0.15).unwrap();
+    let solids = [Solid::new(&ball, Rgb::WHITE)];
+    let mut difference = Difference::default();
+    for (number, camera) in exact_cameras().into_iter().enumerate() {
+        for side in [1, 2, 3, 60, 61] {
+            let scene = Scene { solids: &solids, camera, light, background: BLACK };
+            let known = Known { scene, colours: &[Rgb::WHITE], towards, ambient: 0.15 };
+            difference.add(&known, side, &format!("camera {number}, {side} wide"));
+        }
+    }
+    // Nearly all pixels of a picture of next to nothing have one colour, and rounding may decide between two.
+    assert_eq!((difference.mask, difference.more), (0, 0), "{difference:?}");
+    assert!(difference.covered * 2 > difference.pixels, "{difference:?}");
+}
+
+/// A ring so low that its ends are all in doubt.
+#[test]
+fn a_low_ring_is_that_of_single_rays() {
+    let towards = [-0.5, -0.7, 0.5];
+    let mut difference = Difference::default();
+    for height in [1e-4, 3e-4, 1e-2] {
+        let ring = Lathe::turn(Profile::<1>::cylinder(1.0, height).unwrap().base(End::Open).top(End::Open));
+        let solids = [Solid::new(&ring, Rgb::WHITE)];
+        let camera = Camera::perspective([0.0, -5.0, 1.0], [0.0; 3], [0.3, 0.0, 1.0], 0.3).unwrap();
+        let light = Light::new(towards, 0.15).unwrap();
+        let scene = Scene { solids: &solids, camera, light, background: BLACK };
+        let known = Known { scene, colours: &[Rgb::WHITE], towards, ambient: 0.15 };
+        difference.add(&known, 60, &format!("ring {height}"));
+    }
+    assert_eq!((difference.mask, difference.more, difference.one_step), (0, 0, 0), "{difference:?}");
+    assert!(difference.covered > 0, "{difference:?}");
+}
+
+/// Gloss, too, is the same in the mirror: rows against the same pixels asked for one by one, which have none.
+#[test]
+fn rows_are_their_pixels_one_by_one() {
+    for (name, scene) in scenes::NAMED {
+        // As wide as displays are, and an odd width, whose middle is a pixel.
+        for side in [240, 61] {
+            let picture = scene.picture(side, side);
+            let mut row = vec![Rgb565::BLACK; side as usize];
+            let mut one_step = 0;
+            for y in 0..side {
+                picture.row(y, &mut row);
+                for (x, &pixel) in (0..).zip(&row) {
+                    let mut alone = [Rgb565::BLACK];
+                    picture.part_of_row(x, y, &mut alone);
+                    let steps = steps(pixel, alone[0]);
+                    assert!(steps <= 1, "{name}: column {x}, row {y}: {pixel:?} instead of {:?}", alone[0]);
+                    one_step += u32::from(steps);
+                }
+            }
+            println!("{name}, {side} wide: {one_step} pixels differ by a step");
+            assert!(one_step * 10_000 <= side * side, "{name}: {one_step} pixels differ");
+        }
+    }
 }

@@ -10,6 +10,7 @@ const SECTION: &str = r##"fill="#f7e6da" stroke="#333333" stroke-width="1.6""##;
 const RAY: &str = r##"stroke="#8a8a8a" stroke-width="0.8""##;
 const TANGENT: &str = r##"stroke="#1f4e8c" stroke-width="1.3""##;
 const ROOT: &str = r##"fill="#b02a10""##;
+const MIRRORED: &str = r##"fill="white" stroke="#b02a10" stroke-width="1.2""##;
 const SILHOUETTE: &str = r##"fill="white" stroke="#1f4e8c" stroke-width="2""##;
 const EYE: &str = r##"fill="#222222""##;
 const MIDDLE: &str = r#"text-anchor="middle""#;
@@ -47,8 +48,10 @@ pub fn picture() -> String {
         let fill = format!("fill=\"#{:06x}\" stroke=\"white\" stroke-width=\"0.4\"", colour.into_storage());
         svg.shape(&corners.map(|(x, y)| [away + x, across + y]), &fill);
     }
-    for root in (0..PIXELS).filter_map(seen) {
-        svg.dot(root, 2.8, ROOT);
+    for i in 0..PIXELS {
+        if let Some(root) = seen(i) {
+            svg.dot(root, 2.8, if i < PIXELS / 2 { MIRRORED } else { ROOT });
+        }
     }
     for point in silhouettes {
         svg.dot(point, 4.5, SILHOUETTE);
@@ -64,8 +67,9 @@ fn words(svg: &mut Svg, [_, silhouette]: [Point; 2]) {
     svg.words([0.0, 0.09], 0.0, MIDDLE, "eye");
     svg.words([SCREEN, -0.245], 0.0, MIDDLE, "pixel 0");
     svg.words([SCREEN, 0.28], 0.0, MIDDLE, &format!("pixel {last}"));
-    svg.words([2.03, -0.505], -14.3, MIDDLE, "clear run: skipped");
-    svg.words([1.87, -0.011], -0.9, END, "each root from the one before it");
+    svg.words([2.03, 0.485], 13.0, MIDDLE, "clear: one look tells");
+    svg.words([1.87, -0.13], -4.4, END, "their mirror images");
+    svg.words([1.87, 0.1], 2.6, END, "outwards, root by root");
     svg.words([silhouette[0], silhouette[1] + 0.09], 0.0, MIDDLE, "silhouette");
     svg.words([0.5 * (silhouette[0] + FAR) - 0.12, 0.015], 0.0, MIDDLE, "inside, g &gt; 0");
     svg.words([FAR - 0.01, -0.3], 0.0, END, "g = 0");

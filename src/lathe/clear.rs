@@ -85,18 +85,18 @@ pub(super) struct Pace {
     from: f32,
     to: f32,
     /// For so many pixels the rays go on rising or falling, no less than 7/8 as steeply: so the points at a
-    /// height move no more than 8/7 as fast.
+    /// height move no more than 8/7 as fast. And they come to a height by no more than four spans elsewhere.
     level: f32,
 }
 
 impl Pace {
     /// From the i-th ray on, at the heights that it has between two points.
     pub fn of(sweep: &Sweep, i: u32, (from, to): (f32, f32)) -> Self {
-        let (m, d) = sweep.rays.at(i);
+        let (m, d) = sweep.rays.at(i as f32);
         let (m1, d1) = (sweep.rays.origin_step, sweep.rays.direction_step);
         // The point of height z moves by as much as the ray does, and along it so far that z stays.
         let (per_dz, level) = if sweep.drift > 0.0 {
-            (1.0 / d.z, d.z.abs() / (8.0 * d1.z.abs()))
+            (1.0 / d.z, d.z.abs() / (8.0 * d1.z.abs() + 0.25 * sweep.drift / sweep.span))
         } else {
             (0.0, f32::INFINITY)
         };
@@ -118,26 +118,29 @@ impl Pace {
         flat(v, v)
     }
 
+    /// The greatest of it, or of its negative.
+    #[inline]
+    fn most(&self, sign: f32) -> f32 {
+        let [_, p1, p2] = self.p;
+        let (from, to) = (self.from, self.to);
+        sign * self.at(from) + highest(sign * (p1 + 2.0 * p2 * from), sign * p2, 0.0, to - from)
+    }
+
     /// How many pixels there are before g, `room` below zero now, can have come to zero anywhere: in n of them it
     /// grows by n times its pace, or less.
     pub fn pixels(&self, room: f32) -> u32 {
-        let [_, p1, p2] = self.p;
-        let (from, to) = (self.from, self.to);
-        let most = self.at(from) + highest(p1 + 2.0 * p2 * from, p2, 0.0, to - from);
+        let most = self.most(1.0);
         let n = if most <= 0.0 { f32::INFINITY } else { 0.875 * room / most };
-        lesser(self.level, n) as u32
+        lesser(n, self.level) as u32
     }
 
     /// How many pixels there are before g, `room` above zero now, can have come to zero anywhere: as the square
     /// of the distance from the axis it falls by no more than n times its pace and n² times the square of how far
-    /// the point moves.
+    /// the point moves, v². That is no more than `n·(pace + √(room·v²))` where n is no more than √(room/v²).
     pub fn pixels_within(&self, room: f32) -> u32 {
-        let [_, p1, p2] = self.p.map(|p| -p);
-        let (from, to) = (self.from, self.to);
-        let growth = -self.at(from) + highest(p1 + 2.0 * p2 * from, p2, 0.0, to - from);
-        let q = greater(self.square_at(from), self.square_at(to));
-        let n = 2.0 * room / (growth + Native::sqrt(growth * growth + 4.0 * q * room));
-        lesser(self.level, 0.875 * n) as u32
+        let pace = greater(0.0, self.most(-1.0));
+        let square = greater(self.square_at(self.from), self.square_at(self.to));
+        lesser(0.875 / (pace / room + Native::sqrt(square / room)), self.level) as u32
     }
 }
 

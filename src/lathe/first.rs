@@ -48,7 +48,7 @@ impl Sweep<'_> {
     }
 
     /// Looks whether g keeps its sign before the i-th ray comes to the segment of its root, and for how long
-    /// it will: from there on it is for the root's slope to tell. A root that leaves must come
+    /// it will: from there on it is for the root's slope or its cubic to tell. A root that leaves must come
     /// through an open end: then g is positive before it.
     pub(super) fn certify(&mut self, i: u32) -> bool {
         let (path, segment, sign) = (self.path(i), self.segment, self.sign);
@@ -67,14 +67,18 @@ impl Sweep<'_> {
         let n = if sign > 0.0 { pace.pixels(room) } else { pace.pixels_within(room) };
         let is_concave = sign > 0.0 && segment.bulge() * (self.steep * self.steep) <= self.q;
         let slope = if is_concave { self.slack } else { f32::INFINITY };
-        self.first = First { slope, by_cubic: !is_concave, until: i + 1 + n.min(AHEAD) };
+        self.first = First { slope, by_cubic: !is_concave, until: (i + 1).saturating_add(n.min(AHEAD)) };
         true
     }
 
     /// Whether g keeps its sign from where a ray comes to the segment of a root as far as the root, given the root's
-    /// u, the slope as far before it as the last step went, and the ray's D in the segment's u. With A the slope at
-    /// the root, κ = du/ds and y the way back in u, of which there is `way`, `κ²·g = −y·(A·|κ| − c2·y + c3·y²)`, and
-    /// the bracket is above doubt where y ends, and at its vertex if that is between.
+    /// u, the slope at so much beyond it as Newton's last step went back, and the ray's D in the segment's u.
+    ///
+    /// With κ = |du/ds|, A the slope at the root, and y the way back from it in u, of which there is `way`,
+    ///
+    /// `κ²·g = −y·(A·κ − c2·y + c3·y²)`,
+    ///
+    /// and the bracket is above doubt where y ends, and at its vertex if that is between.
     #[inline(never)]
     pub(super) fn is_first_by_cubic(&self, u: f32, slope: f32, back: f32, d: F32x3) -> bool {
         let [_, _, f2, f3] = self.segment.f;

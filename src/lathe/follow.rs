@@ -2,6 +2,7 @@
 
 use super::sweep::Sweep;
 use crate::math::inverse_root;
+use crate::math::order::greater;
 use crate::vector::{F32x3, Vector, vector};
 
 /// What a ray sees of the surface.
@@ -46,7 +47,7 @@ impl Sweep<'_> {
     /// The pixel as far as which the root, if there is one, can be followed from the i-th.
     #[inline(always)]
     pub fn followed(&self, i: u32) -> Option<u32> {
-        self.following.then(|| self.end.min(i + FRESH).min(self.first.until))
+        self.following.then(|| (i + FRESH.min(self.end - i)).min(self.first.until))
     }
 
     /// Follows the root from the i-th pixel on, up to another, and hands over what each sees. The first pixel that it
@@ -55,7 +56,7 @@ impl Sweep<'_> {
     pub fn follow(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen)) -> (u32, Stop) {
         let segment = self.segment;
         let own = |v: F32x3, from: f32| vector([v.x, v.y, (v.z - from) * segment.per_height]);
-        let (m, d) = self.rays.at(i);
+        let (m, d) = self.rays.at(i as f32);
         let (mut m, mut d) = (own(m, segment.low), own(d, 0.0));
         let (m1, d1) = (own(self.rays.origin_step, 0.0), own(self.rays.direction_step, 0.0));
         let [c0, c1, c2, c3] = segment.f;
@@ -69,7 +70,7 @@ impl Sweep<'_> {
         let pad = self.doubt * segment.per_height;
         let from = if self.index == 0 { pad } else { 0.0 };
         let to_end = if self.index + 1 == self.lathe.segments.len() { pad } else { 0.0 };
-        let width = (1.0 - from - to_end).to_bits();
+        let width = greater(0.0, 1.0 - from - to_end).to_bits();
         let (mut s, mut step, mut bend) = (self.s, self.step, self.bend);
         let start = i;
 

@@ -1,0 +1,166 @@
+//! What the rays of a run of pixels have in common, reckoned once: where they pass the solid, by how much they differ,
+//! and where to begin.
+
+use super::Lathe;
+use super::first::First;
+use super::follow::STEPS;
+use super::path::flat;
+use super::segment::Segment;
+use super::sweep::Sweep;
+use crate::math::order::{greater, lesser};
+use crate::math::{Math, Native};
+use crate::rays::Rays;
+use crate::vector::{F32x3, cross, dot, vector};
+
+/// In units of the frame, where the largest radius is between 1 and 2: what silhouettes are left in doubt.
+const DOUBT: f32 = 1.0 / 4096.0;
+
+/// What rounding can do at a unit's distance: sixteen units of 2⁻²⁴, four times what it was seen to do.
+const ROUNDING: f32 = 16.0 / 16_777_216.0;
+
+/// How far from the root a step may leave off.
+const ROOT: f32 = 1.0 / 2_097_152.0;
+
+impl Lathe {
+    /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own. The halves of
+    /// a run may be each other's mirror image only if that may be used.
+    #[inline(always)]
+    pub(crate) fn sweep(
+        &self,
+        rays: &Rays,
+        unit: f32,
+        (start, end): (u32, u32),
+        may_mirror: bool,
+    ) -> Sweep<'_> {
+        let lathe = self.view();
+        let frame = lathe.frame;
+        let (d, d1) = (frame.squashed(rays.direction), frame.squashed(rays.direction_step));
+        let o = frame.squashed(frame.point(rays.origin));
+        let o1 = frame.squashed(rays.origin_step * frame.scale);
+
+        // The ray half way, its M and D, and the pixels on either side.
+        let half = 0.5 * (end - start) as f32;
+        let centre = start as f32 - 0.5 + half;
+        let (oc, dc) = (o + o1 * centre, d + d1 * centre);
+        let square = dot(dc, dc);
+        let shift = -dot(oc, dc) / square;
+        let (mc, m1) = (oc + dc * shift, o1 + d1 * shift);
+        let run = Rays { origin: mc, origin_step: m1, direction: dc, direction_step: d1 };
+
+        // |M + s·D| ≤ size means |s| ≤ |M·D|/D² + size/|D|. M·D vanishes half way, and D² and q are above their
+        // tangents there.
+        let least = square - 2.0 * half * dot(dc, d1).abs();
+        let length = Native::sqrt(least);
+        let across = half * (dot(mc, d1) + dot(m1, dc)).abs() + half * half * dot(m1, d1).abs();
+        let span = (across / length + frame.size) / length;
+        // So where one of them is within the ball, the one half way is within a larger one, by how far they are apart.
+        let one_norm = |v: F32x3| v.x.abs() + v.y.abs() + v.z.abs();
+        let near = 1.125 * frame.size + half * (one_norm(m1) + span * one_norm(d1));
+        let is_far = dot(mc, mc) > near * near;
+        let q = flat(dc, dc) - 2.0 * half * flat(dc, d1).abs();
+        let steep = dc.z.abs() + half * d1.z.abs();
+        let drift = m1.z.abs() + span * d1.z.abs();
+        let distance = shift.abs() * length + frame.size;
+        let rounding = ROUNDING * distance * (2.0 + frame.steepest);
+        let doubt = DOUBT + rounding;
+        let is_usable =
+            least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25 && frame.steepest < 1e9;
+
+        // Over half the run g must not differ by more than rounding may make it, nor the plane of reflection be farther
+        // from the axis and the ray half way.
+        let lopsided = 8.0 * lopsided(&run, span, drift * frame.steepest);
+        let is_mirrored = is_usable
+            && may_mirror
+            && frame.squash == 1.0
+            && (end - start).is_multiple_of(2)
+            && half * lopsided < rounding
+            && lopsided * lopsided < rounding * rounding * dot(m1, m1);
+        let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
+        let middle = if is_mirrored {
+            start + (end - start) / 2
+        } else {
+            let height = lesser(frame.high, greater(frame.low, height));
+            let pixel = centre + towards(&run, vector([0.0, 0.0, height]));
+            start.max(end.min((pixel + 0.5) as u32))
+        };
+        let (origin, direction) = run.at(middle as f32 - centre);
+        // Rounding can do as much to a height.
+        let slope = slope + ROUNDING * distance;
+        // No ray of a usable run is longer than three halves of the one half way.
+        let longest = 2.25 * square;
+        Sweep {
+            lathe,
+            is_far,
+            is_usable,
+            rays: Rays { origin, direction, ..run },
+            shift,
+            per_unit: 1.0 / (frame.scale * unit),
+            middle,
+            end: end - middle,
+            left: middle - start,
+            is_mirrored,
+            is_turned: false,
+            span,
+            low: greater(frame.low, height - slope),
+            high: lesser(frame.high, height + slope),
+            steep,
+            rising: (dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
+            q,
+            drift,
+            doubt,
+            slack: 4.0 * Native::sqrt(doubt),
+            tolerance: ROOT / (longest + frame.curvature * (steep * steep)),
+            following: false,
+            sign: 1.0,
+            s: 0.0,
+            step: 0.0,
+            bend: 0.0,
+            index: 0,
+            segment: lathe.segments.first().unwrap_or(&Segment::EMPTY),
+            first: First::UNKNOWN,
+            looked: u32::MAX,
+            tries: STEPS,
+        }
+    }
+}
+
+/// By how much g can differ, at the same s within the span, between the rays a pixel before the middle one and a
+/// pixel after it; `drop` is a bound on how F differs. Over n pixels it is n times as much: what differs in x² + y²
+/// are the terms that change their sign with the pixel's number.
+#[inline(always)]
+fn lopsided(run: &Rays, span: f32, drop: f32) -> f32 {
+    let Rays { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *run;
+    let lean = flat(m, d1) + flat(m1, d);
+    4.0 * (flat(m, m1).abs() + span * (lean.abs() + span * flat(d, d1).abs())) + 2.0 * drop
+}
+
+/// The plane of a row's rays.
+struct Plane {
+    /// The height at which it meets the axis.
+    height: f32,
+    /// From so much lower to so much higher it is within a cylinder around the axis.
+    slope: f32,
+}
+
+impl Plane {
+    /// Given the square of the cylinder's radius. At each height the plane holds a line, whose distance from the axis
+    /// is as the height from there on.
+    #[inline(always)]
+    fn of(run: &Rays, reach: f32) -> Self {
+        let normal = cross(run.origin_step, run.direction);
+        let per_z = 1.0 / normal.z;
+        let slope = Native::sqrt(reach * flat(normal, normal)) * per_z.abs();
+        Self { height: dot(normal, run.origin) * per_z, slope }
+    }
+}
+
+/// How many pixels from the middle one the ray is that passes nearest to a point.
+#[inline(always)]
+fn towards(run: &Rays, point: F32x3) -> f32 {
+    let Rays { origin, origin_step, direction, direction_step } = *run;
+    let per_square = 1.0 / dot(direction, direction);
+    let there = point - origin;
+    let step = origin_step + direction_step * (dot(there, direction) * per_square);
+    let across = step - direction * (dot(step, direction) * per_square);
+    dot(there, across) / dot(across, across)
+}

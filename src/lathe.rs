@@ -30,7 +30,7 @@ mod segment;
 mod sweep;
 mod walk;
 
-pub(crate) use follow::{Seen, Stop, seldom};
+pub(crate) use follow::{Seen, Stop};
 pub use segment::Segment;
 pub(crate) use sweep::Sweep;
 

@@ -103,6 +103,7 @@ mod rays;
 mod rows;
 mod scene;
 mod scene_error;
+mod seldom;
 mod solid;
 mod surface;
 mod valid;

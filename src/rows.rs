@@ -3,8 +3,9 @@
 
 use crate::camera::Row;
 use crate::color::{Paint, Rgb};
-use crate::lathe::{Seen, Stop, seldom};
+use crate::lathe::{Seen, Stop};
 use crate::scene::Scene;
+use crate::seldom::seldom;
 use crate::solid::{Finish, Solid, SolidRow};
 use crate::vector::F32x3;
 use core::num::NonZeroU32;

@@ -3,6 +3,7 @@
 use super::sweep::Sweep;
 use crate::math::inverse_root;
 use crate::math::order::greater;
+use crate::seldom::seldom;
 use crate::vector::{F32x3, Vector, vector};
 
 /// What a ray sees of the surface.
@@ -128,7 +129,8 @@ impl Sweep<'_> {
         (i, stop)
     }
 
-    /// Where a root is followed no farther, in its segment or the next, it may be certain still.
+    /// Where a root is followed no farther, it may still be certain: in the next segment, by the bounds of that; or
+    /// in its own, by a look at what comes before.
     #[inline(never)]
     pub fn stopped(&mut self, i: u32, stop: Stop) {
         self.tries -= 1;
@@ -139,6 +141,7 @@ impl Sweep<'_> {
             _ => self.index,
         };
         let is_uncertain = matches!(stop, Stop::Uncertain);
+        // Not a second look in vain.
         let may_be = self.tries > 0
             && !matches!(stop, Stop::Lost)
             && !(is_uncertain && self.first.until < u32::MAX)
@@ -156,8 +159,3 @@ impl Sweep<'_> {
         }
     }
 }
-
-/// Tells the compiler which way not to lay out for speed.
-#[cold]
-#[inline(always)]
-pub(crate) fn seldom() {}

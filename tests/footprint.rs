@@ -84,7 +84,7 @@ const ROWS: [Row; 3] = [
         without: "footprint-nothing",
         own: None,
         targets: &[M0, M3, M4F],
-        flash: 14 * 1024,
+        flash: 13 * 1024,
         ram: 240 * 2,
     },
     Row {

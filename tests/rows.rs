@@ -261,18 +261,22 @@ fn exact_cameras() -> Vec<Camera> {
     cameras.into_iter().map(Result::unwrap).collect()
 }
 
+/// A white solid alone, seen by a camera.
+fn compare_lone(difference: &mut Difference, lathe: &Lathe, camera: Camera, side: u32, what: &str) {
+    let (towards, ambient) = ([-0.5, -0.7, 0.5], 0.15);
+    let solids = [Solid::new(lathe, Rgb::WHITE)];
+    let light = Light::new(towards, ambient).unwrap();
+    let scene = Scene { solids: &solids, camera, light, background: BLACK };
+    difference.add(&Known { scene, colours: &[Rgb::WHITE], towards, ambient }, side, what);
+}
+
 #[test]
 fn exact_views_are_those_of_single_rays() {
     let ball = Lathe::turn(Profile::<1>::sphere(1.0).unwrap());
-    let towards = [-0.5, -0.7, 0.5];
-    let light = Light::new(towards, 0.15).unwrap();
-    let solids = [Solid::new(&ball, Rgb::WHITE)];
     let mut difference = Difference::default();
     for (number, camera) in exact_cameras().into_iter().enumerate() {
         for side in [1, 2, 3, 60, 61] {
-            let scene = Scene { solids: &solids, camera, light, background: BLACK };
-            let known = Known { scene, colours: &[Rgb::WHITE], towards, ambient: 0.15 };
-            difference.add(&known, side, &format!("camera {number}, {side} wide"));
+            compare_lone(&mut difference, &ball, camera, side, &format!("camera {number}, {side} wide"));
         }
     }
     // Nearly all pixels of a picture of next to nothing have one colour, and rounding may decide between two.
@@ -283,42 +287,12 @@ fn exact_views_are_those_of_single_rays() {
 /// A ring so low that its ends are all in doubt.
 #[test]
 fn a_low_ring_is_that_of_single_rays() {
-    let towards = [-0.5, -0.7, 0.5];
+    let camera = Camera::perspective([0.0, -5.0, 1.0], [0.0; 3], [0.3, 0.0, 1.0], 0.3).unwrap();
     let mut difference = Difference::default();
     for height in [1e-4, 3e-4, 1e-2] {
         let ring = Lathe::turn(Profile::<1>::cylinder(1.0, height).unwrap().base(End::Open).top(End::Open));
-        let solids = [Solid::new(&ring, Rgb::WHITE)];
-        let camera = Camera::perspective([0.0, -5.0, 1.0], [0.0; 3], [0.3, 0.0, 1.0], 0.3).unwrap();
-        let light = Light::new(towards, 0.15).unwrap();
-        let scene = Scene { solids: &solids, camera, light, background: BLACK };
-        let known = Known { scene, colours: &[Rgb::WHITE], towards, ambient: 0.15 };
-        difference.add(&known, 60, &format!("ring {height}"));
+        compare_lone(&mut difference, &ring, camera, 60, &format!("ring {height}"));
     }
     assert_eq!((difference.mask, difference.more, difference.one_step), (0, 0, 0), "{difference:?}");
     assert!(difference.covered > 0, "{difference:?}");
-}
-
-/// Gloss, too, is the same in the mirror: rows against the same pixels asked for one by one, which have none.
-#[test]
-fn rows_are_their_pixels_one_by_one() {
-    for (name, scene) in scenes::NAMED {
-        // As wide as displays are, and an odd width, whose middle is a pixel.
-        for side in [240, 61] {
-            let picture = scene.picture(side, side);
-            let mut row = vec![Rgb565::BLACK; side as usize];
-            let mut one_step = 0;
-            for y in 0..side {
-                picture.row(y, &mut row);
-                for (x, &pixel) in (0..).zip(&row) {
-                    let mut alone = [Rgb565::BLACK];
-                    picture.part_of_row(x, y, &mut alone);
-                    let steps = steps(pixel, alone[0]);
-                    assert!(steps <= 1, "{name}: column {x}, row {y}: {pixel:?} instead of {:?}", alone[0]);
-                    one_step += u32::from(steps);
-                }
-            }
-            println!("{name}, {side} wide: {one_step} pixels differ by a step");
-            assert!(one_step * 10_000 <= side * side, "{name}: {one_step} pixels differ");
-        }
-    }
 }

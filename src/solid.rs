@@ -209,6 +209,8 @@ pub(crate) struct Finish<'a> {
 
 impl Finish<'_> {
     /// The colour of what a column's ray sees, in shades, in light from there.
+    // Not always in line: where flash counts, it stands once. Where speed does, the record of instructions tells if the
+    // compiler decides otherwise.
     #[inline]
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, towards: F32x3) -> Shades {
         let Seen { gradient, per_length, .. } = *seen;

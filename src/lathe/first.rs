@@ -40,11 +40,17 @@ impl Sweep<'_> {
             Some(false) => self.segment.above,
             None => self.all(),
         };
-        if self.sign > 0.0 && bulge * (self.steep * self.steep) <= self.q {
+        if self.is_concave(bulge) {
             First { slope: kinks * self.steep + self.slack, ..First::UNKNOWN }
         } else {
             First::UNKNOWN
         }
+    }
+
+    /// Whether g is concave along all rays, before a root that enters, where nothing bulges more: K ≤ 0.
+    #[inline(always)]
+    fn is_concave(&self, bulge: f32) -> bool {
+        self.sign > 0.0 && bulge * (self.steep * self.steep) <= self.q
     }
 
     /// Looks whether g keeps its sign before the i-th ray comes to the segment of its root, and for how long
@@ -65,7 +71,7 @@ impl Sweep<'_> {
         }
         let (pace, room) = (Pace::of(self, i, before), -crest - self.doubt);
         let n = if sign > 0.0 { pace.pixels(room) } else { pace.pixels_within(room) };
-        let is_concave = sign > 0.0 && segment.bulge() * (self.steep * self.steep) <= self.q;
+        let is_concave = self.is_concave(segment.bulge());
         let slope = if is_concave { self.slack } else { f32::INFINITY };
         self.first = First { slope, by_cubic: !is_concave, until: (i + 1).saturating_add(n.min(AHEAD)) };
         true

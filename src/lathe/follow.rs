@@ -7,7 +7,6 @@ use crate::seldom::seldom;
 use crate::vector::{F32x3, Vector, vector};
 
 /// What a ray sees of the surface.
-#[derive(Clone, Copy)]
 pub(crate) struct Seen {
     /// How far along the ray.
     pub t: f32,
@@ -32,7 +31,6 @@ pub(super) const STEPS: u32 = 4;
 const FRESH: u32 = 64;
 
 /// Why a root is followed no farther.
-#[derive(Clone, Copy)]
 pub(crate) enum Stop {
     /// So far, and no farther, was asked for.
     End,

@@ -1,10 +1,11 @@
 //! A profile made ready to meet rays.
 //!
 //! ```text
-//! Ray ── Path ──────── Chord ─────────────── Cubic ──────── crossings ── Hit
-//!        the ray in    what of it lies in    g about the    where g
-//!        the lathe's   one segment's slab    chord's        changes
-//!        own frame                           narrowest      sign
+//! Ray ── Line ─────────┬─ Path ── Chord ─────────────── Cubic ──────── crossings ── Hit
+//!        the ray in    │          what of it lies in    g about the    where g
+//!        the lathe's   │          one segment's slab    chord's        changes
+//!        own frame     │                                narrowest      sign
+//!                      └─ a glance: most rays need no more
 //! ```
 //!
 //! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so
@@ -14,7 +15,7 @@
 //!
 //! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
-//! (`walk.rs`.)
+//! (`walk.rs`.) What most rays meet first, if anything, bounds on g tell without that. (`glance.rs`.)
 //!
 //! The rays of a row of pixels are followed together: `run.rs`, `sweep.rs`, `follow.rs`, and what certifies it,
 //! `first.rs` and `clear.rs`.
@@ -24,6 +25,9 @@ mod chord;
 mod clear;
 mod first;
 mod follow;
+mod glance;
+mod intersect;
+mod line;
 mod path;
 mod run;
 mod segment;
@@ -36,14 +40,8 @@ pub(crate) use sweep::Sweep;
 
 use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
-use crate::ray::Ray;
-use crate::solve::{DefaultSolver, Solver};
 use crate::vector::{F32x3, largest, vector};
-use core::ops::ControlFlow;
-use heapless::Vec;
-use path::Path;
 use segment::{power_of_two_for, widened};
-use walk::walk;
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
 ///
@@ -127,6 +125,22 @@ struct View<'a> {
     segments: &'a [Segment],
 }
 
+impl View<'_> {
+    /// The number of the segment at a height, by steps of half of what remains.
+    #[inline]
+    fn index_at(&self, z: f32) -> usize {
+        let (mut index, mut count) = (0, self.segments.len());
+        while count > 1 {
+            let half = count / 2;
+            if self.segments.get(index + half).is_some_and(|segment| segment.low <= z) {
+                index += half;
+            }
+            count -= half;
+        }
+        index
+    }
+}
+
 impl<const N: usize> Lathe<[Segment; N]> {
     /// Makes a profile ready. Cost: some 80 operations a segment, once; none at run time in a `const`.
     pub const fn turn(profile: Profile<N>) -> Self {
@@ -171,27 +185,6 @@ impl<const N: usize> Lathe<[Segment; N]> {
         };
         Self { frame, segments }
     }
-
-    /// All crossings beyond `t_min`, in order.
-    ///
-    /// A segment is met at most three times and either cap once: the capacity C must be at least 3·N + 2,
-    /// which is checked at compile time, and cannot overflow.
-    pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        self.hits_by::<DefaultSolver, C>(ray, t_min)
-    }
-
-    /// [`Lathe::hits`] with the solver S.
-    pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        const {
-            assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
-        }
-        let mut hits = Vec::new();
-        let _: Option<()> = walk::<S, _, false>(self.view(), &Path::new(&self.frame, ray), t_min, |hit| {
-            let _ = hits.push(hit);
-            ControlFlow::Continue(())
-        });
-        hits
-    }
 }
 
 /// A distance too large for a number is none.
@@ -209,34 +202,9 @@ const fn plane(square: f32, end: End, cap: Part) -> Option<Part> {
 }
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
+    #[inline(always)]
     fn view(&self) -> View<'_> {
         View { frame: &self.frame, segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]) }
-    }
-
-    /// The nearest crossing beyond `t_min`, if any: t > t_min.
-    ///
-    /// A ray from inside, or through an open end, meets the wall from within: the hit leaves. A ray that lies
-    /// in the plane of a cap meets its rim.
-    pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        self.nearest_by::<DefaultSolver>(ray, t_min)
-    }
-
-    /// [`Lathe::nearest`] with the solver S.
-    // In line: of two frames one within the other this makes one, where the stack is deepest.
-    #[inline(always)]
-    pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        walk::<S, _, false>(self.view(), &Path::new(&self.frame, ray), t_min, ControlFlow::Break)
-    }
-
-    /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends
-    /// often answer without a root.
-    pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
-        self.is_hit_by::<DefaultSolver>(ray, t_min)
-    }
-
-    /// [`Lathe::is_hit`] with the solver S.
-    pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
-        walk::<S, _, true>(self.view(), &Path::new(&self.frame, ray), t_min, ControlFlow::Break).is_some()
     }
 
     /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the

@@ -9,7 +9,7 @@ use crate::math::inverse_root;
 use crate::pose::Pose;
 use crate::ray::Ray;
 use crate::rays::Rays;
-use crate::solve::DefaultSolver;
+use crate::solve::Bracketed;
 use crate::surface::Surface;
 use crate::vector::{F32x3, Vector, largest, vector};
 
@@ -182,12 +182,12 @@ impl SolidRow<'_> {
         self.sweep.look(i)
     }
 
-    /// What a column's ray sees, found as that of any ray: what the sweep leaves in doubt is decided as
-    /// everywhere.
+    /// What a column's ray sees, found by a walk along it: what the sweep leaves in doubt is decided as what a glance
+    /// does.
     #[inline(never)]
     pub fn alone(&mut self, column: u32) -> Option<Seen> {
         let (ray, lathe) = (self.solid.ray_into(&self.row.ray(column)), self.solid.lathe);
-        let hit = lathe.nearest_by::<DefaultSolver>(&ray, 0.0)?;
+        let hit = lathe.nearest_by::<Bracketed>(&ray, 0.0)?;
         self.sweep.found(&hit);
         let gradient = lathe.gradient_at(ray.at(hit.t), &hit);
         // Very flat or very tall profiles have gradients whose squares are not numbers.

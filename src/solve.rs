@@ -23,6 +23,7 @@
 //! count is a value below 2⁻¹⁰⁶ of the largest coefficient, f32's smallest over the least that is not scaled
 //! first. Coefficients that are not finite have no roots.
 
+mod bracketed;
 mod cardano;
 mod inflection;
 mod pieces;
@@ -35,6 +36,7 @@ pub use pieces::{Fall, Piece};
 pub use refine::refine;
 pub use split::Split;
 
+pub(crate) use bracketed::Bracketed;
 pub(crate) use pieces::{first_crossing, first_piece};
 
 use crate::cubic::Cubic;
@@ -68,7 +70,7 @@ pub trait Solver {
     fn root(g: &Cubic, piece: &Piece) -> f32;
 }
 
-/// What the renderer uses, and [`Cubic::first_root`] and [`Cubic::roots`].
+/// What [`Cubic::first_root`] and [`Cubic::roots`] use.
 pub type DefaultSolver = Split<Native>;
 
 impl Cubic {

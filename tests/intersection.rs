@@ -13,6 +13,7 @@ use embedded_lathe::solve::Solver;
 use embedded_lathe::{Hit, Lathe, Part, Ray, Segment, Surface};
 use lathes::{CAPACITY, lathe};
 use oracle::{Band, Shape};
+use std::marker::PhantomData;
 
 const SEED: u64 = 1995;
 const RAYS: u64 = 60;
@@ -77,18 +78,69 @@ fn every_shot(mut check: impl FnMut(&Shot)) {
     }
 }
 
+/// The questions one asks of a ray.
+trait Questions {
+    fn nearest(shot: &Shot) -> Option<Hit>;
+    fn hits(shot: &Shot) -> heapless::Vec<Hit, CAPACITY>;
+    fn is_hit(shot: &Shot) -> bool;
+}
+
+/// As they are asked: at a glance, where that will do.
+struct Asked;
+
+impl Questions for Asked {
+    fn nearest(shot: &Shot) -> Option<Hit> {
+        shot.lathe.nearest(&shot.ray, shot.case.cast.t_min)
+    }
+
+    fn hits(shot: &Shot) -> heapless::Vec<Hit, CAPACITY> {
+        shot.lathe.hits(&shot.ray, shot.case.cast.t_min)
+    }
+
+    fn is_hit(shot: &Shot) -> bool {
+        shot.lathe.is_hit(&shot.ray, shot.case.cast.t_min)
+    }
+}
+
+/// By a walk, with a solver.
+struct By<S>(PhantomData<S>);
+
+impl<S: Solver> Questions for By<S> {
+    fn nearest(shot: &Shot) -> Option<Hit> {
+        shot.lathe.nearest_by::<S>(&shot.ray, shot.case.cast.t_min)
+    }
+
+    fn hits(shot: &Shot) -> heapless::Vec<Hit, CAPACITY> {
+        shot.lathe.hits_by::<S, CAPACITY>(&shot.ray, shot.case.cast.t_min)
+    }
+
+    fn is_hit(shot: &Shot) -> bool {
+        shot.lathe.is_hit_by::<S>(&shot.ray, shot.case.cast.t_min)
+    }
+}
+
+#[test]
+fn as_asked() {
+    agrees_with_the_oracle::<Asked>();
+}
+
+fn by_a_walk<S: Solver>() {
+    agrees_with_the_oracle::<By<S>>();
+}
+
+over_every_backend!(by_a_walk);
+
 /// Hits and misses, the order, kind and number of hits, shadows, and the error of the points.
-fn agrees_with_the_oracle<S: Solver>() {
+fn agrees_with_the_oracle<Q: Questions>() {
     let (mut shots, mut told, mut worst) = (0, 0, 0_f64);
     every_shot(|shot| {
         let t_min = shot.case.cast.t_min;
-        let nearest = shot.lathe.nearest_by::<S>(&shot.ray, t_min);
-        let hits = shot.lathe.hits_by::<S, CAPACITY>(&shot.ray, t_min);
+        let (nearest, hits) = (Q::nearest(shot), Q::hits(shot));
         shots += 1;
 
         // Whatever the ray: in order, beyond t_min, finite, and the three questions agree.
         assert_eq!(nearest, hits.first().copied(), "{}", shot.case);
-        assert_eq!(nearest.is_some(), shot.lathe.is_hit_by::<S>(&shot.ray, t_min), "{}", shot.case);
+        assert_eq!(nearest.is_some(), Q::is_hit(shot), "{}", shot.case);
         assert!(hits.iter().all(|hit| hit.t > t_min && hit.t.is_finite() && (0.0..=1.0).contains(&hit.u)));
         assert!(hits.is_sorted_by(|one, next| one.t <= next.t && one.enters != next.enters), "{}", shot.case);
 
@@ -133,8 +185,6 @@ fn point_error(shot: &Shot, hit: &Hit, band: &Band) -> f64 {
     let unit = shot.case.eps(1.0) + (-24_f64).exp2() * (at.t * length).abs();
     (f64::from(hit.t) - at.t).abs() * length * at.cos / unit
 }
-
-over_every_backend!(agrees_with_the_oracle);
 
 /// The unit normal, at the kernel's own point and u, from the definition in f64.
 #[test]

@@ -87,8 +87,9 @@ const INTERSECTIONS: Columns = &[
     ("paper, the crate's solver", &[("paper", "split")]),
     ("sound form, textbook Cardano", &[("sound form", "textbook Cardano")]),
     (
-        "crate, both solvers, all backends",
+        "crate, as asked, and by both solvers over all backends",
         &[
+            ("crate", "as asked"),
             ("crate", "split over native"),
             ("crate", "split over std"),
             ("crate", "split over libm"),

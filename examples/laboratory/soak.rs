@@ -7,7 +7,7 @@ use crate::laboratory::judge::Truth;
 use crate::laboratory::troubles::Trouble;
 use crate::laboratory::{PROMISE, forms};
 use crate::progress::bar;
-use embedded_lathe::solve::{BACKWARD_ERROR, DefaultSolver};
+use embedded_lathe::solve::BACKWARD_ERROR;
 use std::error::Error;
 use std::time::Instant;
 
@@ -43,7 +43,7 @@ pub fn run(minutes: u64) -> Result<(), Box<dyn Error>> {
         for trouble in Trouble::all() {
             for index in 0..ROUND {
                 let case = trouble.case(seed, index);
-                let answer = forms::shipped::<DefaultSolver>(&forms::turned(case.outline), &case.cast);
+                let answer = forms::asked(&forms::turned(case.outline), &case.cast);
                 let units = hits::Truth::new(&case).judge_unsure(answer, trouble.doubt);
                 worst.1 = worst.1.max(units);
                 questions += 1;

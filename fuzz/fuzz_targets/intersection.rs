@@ -14,7 +14,7 @@ use arbitrary::Arbitrary;
 use cases::{Cast, Outline};
 use embedded_lathe::{
     Profile, Ray, math,
-    solve::{Cardano, DefaultSolver},
+    solve::{Cardano, Split},
 };
 use laboratory::{forms, hits::Truth};
 use libfuzzer_sys::fuzz_target;
@@ -70,7 +70,8 @@ fuzz_target!(|input: Input| {
     let doubt = UNITS * (-24f64).exp2() * f64::from(largest);
     let lathe = forms::turned(&outline);
     for answer in [
-        forms::shipped::<DefaultSolver>(&lathe, &cast),
+        forms::asked(&lathe, &cast),
+        forms::shipped::<Split<math::Native>>(&lathe, &cast),
         forms::shipped::<Cardano<math::Micromath>>(&lathe, &cast),
     ] {
         let units = truth.judge_unsure(answer, doubt);

@@ -3,7 +3,6 @@
 use super::bound::{highest, most};
 use super::path::{Path, flat};
 use super::sweep::Sweep;
-use super::walk::entered;
 use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
 use crate::math::{Math, Native};
@@ -24,7 +23,7 @@ impl Sweep<'_> {
         let segments = self.lathe.segments;
         let mut crest = Crest { g: f32::NEG_INFINITY, entry: None };
         let step = if path.rises() { 1 } else { usize::MAX };
-        let mut index = entered(path, segments, near, step);
+        let mut index = self.lathe.index_at(path.height(near));
         let mut from = near;
         while from < far
             && let Some(segment) = segments.get(index)

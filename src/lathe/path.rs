@@ -1,9 +1,8 @@
-use super::Frame;
+use super::line::Line;
 use super::segment::Segment;
 use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
-use crate::ray::Ray;
-use crate::vector::{F32x3, dot};
+use crate::vector::F32x3;
 
 /// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what
 /// follows has the size of the solid however far away the ray comes from. x is scaled by √k: there every
@@ -27,24 +26,15 @@ pub(super) struct Path {
 }
 
 impl Path {
-    /// The path of a ray of object space.
     #[inline(always)]
-    pub fn new(frame: &Frame, ray: &Ray) -> Self {
-        let (o, d) = (frame.point(ray.origin), ray.direction);
-        let shift = -dot(o, d) / dot(d, d);
-        Self::about(frame.squashed(o + d * shift), frame.squashed(d), shift, frame.scale * ray.unit)
-    }
-
-    /// The path along `o + t·d`, in the frame, x scaled by √k.
-    #[inline(always)]
-    pub fn about(o: F32x3, d: F32x3, shift: f32, unit: f32) -> Self {
-        let q = flat(d, d);
+    pub fn of(line: &Line) -> Self {
+        let Line { point: p, direction: d, q, back, unit } = *line;
         // Parallel to the axis, it is as near everywhere.
-        let nearest = if q > f32::MIN_POSITIVE { -flat(o, d) / q } else { 0.0 };
-        let (x, y) = (o.x + nearest * d.x, o.y + nearest * d.y);
+        let nearest = if q > f32::MIN_POSITIVE { -flat(p, d) / q } else { 0.0 };
+        let (x, y) = (p.x + nearest * d.x, p.y + nearest * d.y);
         // −0 + 0 = +0: a horizontal path counts as rising.
         let per_dz = 1.0 / (d.z + 0.0);
-        Self { z: o.z, dz: d.z, per_dz, q, nearest, square: x * x + y * y, shift, unit }
+        Self { z: p.z, dz: d.z, per_dz, q, nearest, square: x * x + y * y, shift: -back, unit }
     }
 
     /// Whether it rises, or runs level.
@@ -72,7 +62,7 @@ impl Path {
     /// `g = f(u) − (x² + y²) + s·(f′·κ − 2·q·a) + s²·(f″/2·κ² − q) + s³·f₃·κ³`, κ = du/ds = dz/h.
     ///
     /// No division, whatever the slope; a level path has κ = 0. Apart: it is asked for in many places.
-    #[inline(never)]
+    #[inline]
     pub fn g_about(&self, segment: &Segment, t: f32) -> Cubic {
         let u = segment.parameter(self.height(t));
         let (f, slope) = segment.at(u);

@@ -16,7 +16,7 @@ use crate::vector::{F32x3, cross, dot, vector};
 const DOUBT: f32 = 1.0 / 4096.0;
 
 /// What rounding can do at a unit's distance: sixteen units of 2⁻²⁴, four times what it was seen to do.
-const ROUNDING: f32 = 16.0 / 16_777_216.0;
+pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 
 /// How far from the root a step may leave off.
 const ROOT: f32 = 1.0 / 2_097_152.0;

@@ -1,5 +1,8 @@
+use super::path::flat;
+use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
 use crate::profile::Span;
+use crate::vector::F32x3;
 
 /// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn); its size is
 /// what a user needs to know.
@@ -150,5 +153,20 @@ impl Segment {
         let (c0, c1, c2) = (b0 * v + b1 * u, b1 * v + b2 * u, b2 * v + b3 * u);
         let (d0, d1) = (c0 * v + c1 * u, c1 * v + c2 * u);
         (d0 * v + d1 * u, 3.0 * (d1 - d0))
+    }
+
+    /// g along `p + s·d`, in powers of s, p at a height of the segment; q = dx² + dy².
+    #[inline]
+    pub(super) fn g_along(&self, p: F32x3, d: F32x3, q: f32) -> Cubic {
+        let u = (p.z - self.low) * self.per_height;
+        let (f, slope) = self.at(u);
+        let (kappa, pull) = (d.z * self.per_height, flat(p, d));
+        let [_, _, f2, f3] = self.f;
+        Cubic::new([
+            f - flat(p, p),
+            slope * kappa - (pull + pull),
+            (3.0 * f3 * u + f2) * (kappa * kappa) - q,
+            f3 * (kappa * kappa * kappa),
+        ])
     }
 }

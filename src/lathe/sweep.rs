@@ -13,7 +13,8 @@
 use super::View;
 use super::first::First;
 use super::follow::STEPS;
-use super::path::Path;
+use super::line::Line;
+use super::path::{Path, flat};
 use super::segment::{Cover, Segment};
 use crate::hit::{Hit, Part};
 use crate::math::order::{greater, lesser};
@@ -81,8 +82,8 @@ pub(crate) struct Sweep<'a> {
 impl Sweep<'_> {
     /// The i-th ray.
     pub(super) fn path(&self, i: u32) -> Path {
-        let (m, d) = self.rays.at(i as f32);
-        Path::about(m, d, 0.0, 1.0)
+        let (point, direction) = self.rays.at(i as f32);
+        Path::of(&Line { point, direction, q: flat(direction, direction), back: 0.0, unit: 1.0 })
     }
 
     /// From where to where rays can meet the solid at the height that this one has there: it itself, and as many more

@@ -36,7 +36,7 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     }
 
     let step = if up { 1 } else { usize::MAX };
-    let mut index = entered(path, segments, enter, step);
+    let mut index = lathe.index_at(path.height(enter));
 
     // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here,
     // has g to tell.
@@ -87,24 +87,6 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
         return Some(found);
     }
     None
-}
-
-/// The number of the segment in whose slab the path is at t, by steps of half of what remains. In the path's
-/// order numbers differ by `step`, 1 or −1.
-#[inline]
-pub(super) fn entered(path: &Path, segments: &[Segment], t: f32, step: usize) -> usize {
-    let mut index = if step == 1 { 0 } else { segments.len().wrapping_sub(1) };
-    let mut stride = segments.len();
-    while stride > 1 {
-        stride -= stride / 2;
-        let ahead = index.wrapping_add(step.wrapping_mul(stride));
-        if let Some(segment) = segments.get(ahead)
-            && path.plane(if step == 1 { segment.low } else { segment.high }) <= t
-        {
-            index = ahead;
-        }
-    }
-    index
 }
 
 /// The hit in the plane of an end, if part of the surface is there, beyond `t_min`.

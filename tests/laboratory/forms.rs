@@ -3,7 +3,7 @@
 //! - [`paper`]: the elimination of "An algorithm of finding intersection point for ray tracing to ternary Bézier curve rotating surface"
 //!   (Kang and Lu, Journal of Xi'an Jiaotong University, 1995): the ray's parameter is eliminated by the height.
 //! - [`sound`]: the ray is cut to each segment's slab and cylinder first, and g is formed along what remains.
-//! - [`shipped`]: the crate's own.
+//! - [`asked`]: the crate's own; [`shipped`]: its walk along the ray, with any solver.
 
 use super::contenders::{Direct, FirstRoot, textbook_roots};
 use crate::cases::{Cast, Outline};
@@ -21,6 +21,11 @@ pub fn turned(outline: &Outline) -> Turned {
     let profile = Profile::new(&outline.knots, &outline.ordinates);
     let squashed = profile.and_then(|profile| profile.squash(outline.k));
     Lathe::turn(squashed.unwrap_or_else(|error| panic!("{error}: {outline:?}")))
+}
+
+pub fn asked(lathe: &Turned, cast: &Cast) -> Option<f32> {
+    let ray = Ray::new(cast.origin, cast.direction).ok()?;
+    Some(lathe.nearest(&ray, cast.t_min)?.t)
 }
 
 pub fn shipped<S: Solver>(lathe: &Turned, cast: &Cast) -> Option<f32> {
@@ -157,6 +162,7 @@ pub const METHODS: &[(&str, &str, Nearest)] = &[
     ("paper", "textbook Cardano", |outline, cast| paper(outline, cast, textbook)),
     ("paper", "split", |outline, cast| paper(outline, cast, split)),
     ("sound form", "textbook Cardano", |outline, cast| sound(outline, cast, textbook_first)),
+    ("crate", "as asked", |outline, cast| asked(&turned(outline), cast)),
     ("crate", "split over native", |outline, cast| shipped::<Split<Native>>(&turned(outline), cast)),
     ("crate", "split over std", |outline, cast| shipped::<Split<Std>>(&turned(outline), cast)),
     ("crate", "split over libm", |outline, cast| shipped::<Split<Libm>>(&turned(outline), cast)),

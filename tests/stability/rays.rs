@@ -43,8 +43,8 @@ fn the_crate_is_sound_where_the_paper_is_not() {
     let mut worst = 0f64;
     for trouble in Trouble::all() {
         let tallies = tallies(trouble);
-        let (paper, split) = (&tallies[0], &tallies[3]);
-        worst = worst.max(split.worst());
+        let (paper, asked) = (&tallies[0], &tallies[3]);
+        worst = worst.max(asked.worst());
         assert!(
             100 * paper.beyond(DISPLACEMENT) as u64 > RAYS,
             "{}: {}",

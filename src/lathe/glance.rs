@@ -1,0 +1,119 @@
+//! What most rays meet, told without a walk.
+//!
+//! At a place on a ray, at the heights of the solid, g is known, and its slope. Everywhere else it lies below a
+//! parabola, by the bounds of a [`Cover`]: over the distance s from there,
+//!
+//! `g ≤ c0 + (|c1| + J)·|s| − K·s²`, J = kinks·|dz|, K = q − bulge·dz².
+//!
+//! If that does not come up to zero the ray misses. Otherwise the segment's own parabola tells where there may be a root,
+//! or where g is greatest: the next place to look at. Once a root is in the segment looked at, Newton's method finds it;
+//! and if its slope A exceeds J, `g ≤ −(A − J)·x − K·x²` at x before it: it is the first.
+//!
+//! The first place is the one nearest to the axis, which all but a few rays need no other than.
+//! What is not clear beyond doubt is left to the walk, which says the same where it is.
+
+use super::View;
+use super::line::Line;
+use super::path::flat;
+use super::run::ROUNDING;
+use super::segment::Cover;
+use crate::hit::{Hit, Part};
+use crate::math::order::greater;
+use crate::math::{Math, Native};
+
+/// What is seen at a glance.
+pub(super) enum Glance {
+    Misses,
+    Meets(Hit),
+    /// It takes a walk to tell.
+    Unclear,
+}
+
+/// How many places are looked at, at most.
+const LOOKS: u32 = 3;
+
+/// How many of Newton's steps are taken, at most.
+const STEPS: u32 = 4;
+
+/// How far from the root, in the frame, a step may leave off.
+const ROOT: f32 = 1.0 / 33_554_432.0;
+
+/// How much steeper than it has to be a root is, at least.
+const SLACK: f32 = 1.0 / 64.0;
+
+impl View<'_> {
+    /// What a line that is not steep, and passes through the cylinder around the solid, meets beyond `t_min`.
+    #[inline(always)]
+    pub fn glance(&self, line: &Line, t_min: f32) -> Glance {
+        let View { frame, segments } = *self;
+        let Line { point: mut p, direction: d, q, mut back, .. } = *line;
+        let rise = d.z * d.z;
+        let Cover { bulge, kinks } = segments.first().map_or(Cover::NONE, |segment| segment.above);
+        let (jump, curve) = (kinks * d.z.abs(), q - bulge * rise);
+        if !(curve > 0.0) {
+            return Glance::Unclear;
+        }
+        let doubt = ROUNDING * (2.0 + frame.steepest) * (frame.size + back.abs() * (q + rise));
+
+        // Beyond an end's plane, on that plane. Farther from the axis the solid is on one side of it.
+        let mut ahead = 0.0;
+        if !(frame.low <= p.z && p.z <= frame.high) {
+            let end = if p.z > frame.high { frame.high } else { frame.low };
+            ahead = (end - p.z) / d.z;
+            p += d * ahead;
+            if flat(p, p) > frame.reach {
+                return Glance::Misses;
+            }
+            (p.z, back) = (end, back - ahead);
+        }
+
+        let mut looks = LOOKS;
+        let (index, segment, g, mut s) = loop {
+            let index = self.index_at(p.z);
+            let Some(segment) = segments.get(index) else {
+                return Glance::Unclear;
+            };
+            let g = segment.g_along(p, d, q);
+            let [c0, c1, c2, _] = g.c;
+            let below = -(c0 + doubt);
+            let lean = jump + if ahead == 0.0 { c1.abs() } else { c1 * 1_f32.copysign(ahead) };
+            if below > 0.0 && (lean <= 0.0 || lean * lean < 4.0 * curve * below) {
+                return Glance::Misses;
+            }
+            let square = c1 * c1 - 4.0 * c2 * c0;
+            let s = (Native::sqrt(greater(0.0, square)) - c1) / (c2 + c2);
+            let z = p.z + s * d.z;
+            if square >= 0.0 && segment.low <= z && z <= segment.high {
+                break (index, segment, g, s);
+            }
+            looks -= 1;
+            if looks == 0 || !(frame.low <= z && z <= frame.high) {
+                return Glance::Unclear;
+            }
+            (p, back, ahead) = (p + d * s, back - s, 0.0);
+        };
+
+        let most = q + frame.curvature * rise;
+        let mut steps = STEPS;
+        let slope = loop {
+            let slope = g.slope(s);
+            let step = g.at(s) / slope;
+            s -= step;
+            if step * step * most <= ROOT * slope {
+                break slope;
+            }
+            steps -= 1;
+            if steps == 0 {
+                return Glance::Unclear;
+            }
+        };
+        let u = (p.z + s * d.z - segment.low) * segment.per_height;
+        let t = (s - back) / line.unit;
+        let is_first = (0.0..=1.0).contains(&u) && slope > jump + SLACK;
+        if is_first && t > t_min && t <= f32::MAX {
+            Glance::Meets(Hit { t, segment: index, u, enters: true, part: Part::Wall })
+        } else {
+            Glance::Unclear
+        }
+    }
+}

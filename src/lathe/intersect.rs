@@ -1,0 +1,118 @@
+//! What one may ask of a ray and a lathe: the nearest crossing, any, all.
+
+use super::glance::Glance;
+use super::line::Line;
+use super::path::Path;
+use super::walk::walk;
+use super::{Lathe, Segment};
+use crate::hit::Hit;
+use crate::ray::Ray;
+use crate::solve::{Bracketed, Solver};
+use core::ops::ControlFlow;
+use heapless::Vec;
+
+impl<const N: usize> Lathe<[Segment; N]> {
+    /// All crossings beyond `t_min`, in order.
+    ///
+    /// A segment is met at most three times and either cap once: the capacity C must be at least 3·N + 2,
+    /// which is checked at compile time, and cannot overflow.
+    pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
+        let line = Line::new(&self.frame, ray);
+        let first = self.glance(&line, t_min);
+        if let Glance::Misses = first {
+            return Vec::new();
+        }
+        let mut hits = self.hits_on::<Bracketed, C>(&line, t_min);
+        // The same to the last bit as the nearest.
+        if let (Glance::Meets(first), Some(hit)) = (first, hits.first_mut()) {
+            *hit = first;
+        }
+        hits
+    }
+
+    /// [`Lathe::hits`] with the solver S.
+    pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
+        self.hits_on::<S, C>(&Line::new(&self.frame, ray), t_min)
+    }
+
+    fn hits_on<S: Solver, const C: usize>(&self, line: &Line, t_min: f32) -> Vec<Hit, C> {
+        const {
+            assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
+        }
+        let mut hits = Vec::new();
+        let _: Option<()> = walk::<S, _, false>(self.view(), &Path::of(line), t_min, |hit| {
+            let _ = hits.push(hit);
+            ControlFlow::Continue(())
+        });
+        hits
+    }
+}
+
+impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
+    /// The nearest crossing beyond `t_min`, if any: t > t_min.
+    ///
+    /// Most rays that come from outside need a look at one segment, or two, whatever the number of segments; it is
+    /// found by steps of half of what remains. The others are followed through the segments near them.
+    ///
+    /// A ray from inside, or through an open end, meets the wall from within: the hit leaves. A ray that lies
+    /// in the plane of a cap meets its rim.
+    pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
+        let line = Line::new(&self.frame, ray);
+        match self.glance(&line, t_min) {
+            Glance::Misses => None,
+            Glance::Meets(hit) => Some(hit),
+            Glance::Unclear => self.walked(line, t_min),
+        }
+    }
+
+    /// The nearest crossing of a line that a glance does not tell. Apart, since it is rare.
+    #[cold]
+    #[inline(never)]
+    fn walked(&self, line: Line, t_min: f32) -> Option<Hit> {
+        self.nearest_on::<Bracketed>(&line, t_min)
+    }
+
+    /// [`Lathe::nearest`] with the solver S, by a walk along the ray.
+    // In line: of two frames one within the other this makes one, where the stack is deepest.
+    #[inline(always)]
+    pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
+        self.nearest_on::<S>(&Line::new(&self.frame, ray), t_min)
+    }
+
+    #[inline(always)]
+    fn nearest_on<S: Solver>(&self, line: &Line, t_min: f32) -> Option<Hit> {
+        walk::<S, _, false>(self.view(), &Path::of(line), t_min, ControlFlow::Break)
+    }
+
+    /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends
+    /// often answer without a root.
+    pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
+        let line = Line::new(&self.frame, ray);
+        match self.glance(&line, t_min) {
+            Glance::Misses => false,
+            Glance::Meets(_) => true,
+            Glance::Unclear => self.is_hit_on::<Bracketed>(&line, t_min),
+        }
+    }
+
+    /// [`Lathe::is_hit`] with the solver S, by a walk along the ray.
+    pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
+        self.is_hit_on::<S>(&Line::new(&self.frame, ray), t_min)
+    }
+
+    fn is_hit_on<S: Solver>(&self, line: &Line, t_min: f32) -> bool {
+        walk::<S, _, true>(self.view(), &Path::of(line), t_min, ControlFlow::Break).is_some()
+    }
+
+    /// What of a line is clear at a glance.
+    #[inline(always)]
+    fn glance(&self, line: &Line, t_min: f32) -> Glance {
+        if line.is_steep() {
+            Glance::Unclear
+        } else if line.square() > self.frame.reach {
+            Glance::Misses
+        } else {
+            self.view().glance(line, t_min)
+        }
+    }
+}

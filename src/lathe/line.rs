@@ -1,0 +1,50 @@
+use super::Frame;
+use super::path::flat;
+use crate::ray::Ray;
+use crate::seldom::seldom;
+use crate::vector::F32x3;
+
+/// A ray in the lathe's frame, x scaled by √k: there every lathe is round.
+///
+/// Its own point lies near the solid, so that what follows has the size of the solid however far away the ray comes
+/// from.
+#[derive(Clone, Copy)]
+pub(super) struct Line {
+    /// Where the ray is nearest to the axis, but for rounding; if it is steep, to the frame's origin.
+    pub point: F32x3,
+    pub direction: F32x3,
+    /// dx² + dy².
+    pub q: f32,
+    /// How far behind the ray's origin the point lies, in units of `direction`.
+    pub back: f32,
+    /// Distances along the ray, in units of its own direction, are those over this.
+    pub unit: f32,
+}
+
+/// The q of a ray that is not steep. A component of a ray's direction is less than four.
+const FLAT: f32 = 0.25;
+
+impl Line {
+    #[inline(always)]
+    pub fn new(frame: &Frame, ray: &Ray) -> Self {
+        let (o, d) = (frame.squashed(frame.point(ray.origin)), frame.squashed(ray.direction));
+        let q = flat(d, d);
+        let (mut along, mut square) = (flat(o, d), q);
+        if q < FLAT {
+            seldom();
+            along += o.z * d.z;
+            square += d.z * d.z;
+        }
+        let back = along / square;
+        Self { point: o - d * back, direction: d, q, back, unit: frame.scale * ray.unit }
+    }
+
+    pub fn is_steep(&self) -> bool {
+        self.q < FLAT
+    }
+
+    /// The square of the point's distance from the axis.
+    pub fn square(&self) -> f32 {
+        flat(self.point, self.point)
+    }
+}

@@ -3,8 +3,8 @@
 mod dither;
 mod paint;
 
-use crate::color::Paint;
-use crate::rows::Picture;
+use crate::color::{Paint, Rgb};
+use crate::rows::{Picture, RUN};
 use crate::scene::Scene;
 use core::marker::PhantomData;
 use embedded_graphics_core::{
@@ -17,9 +17,9 @@ use embedded_graphics_core::{
 
 impl Scene<'_> {
     /// Draws the scene over the whole display, in one [`fill_contiguous`](DrawTarget::fill_contiguous) over
-    /// pixels that are reckoned as the display takes them. No framebuffer is needed. Where there is memory for a
-    /// row, [`Picture::row`] costs less, for a lone solid a quarter: neighbours share more along a row than
-    /// along the sixteen pixels that are kept here.
+    /// pixels that are reckoned as the display takes them, a few at a time. No framebuffer is needed.
+    ///
+    /// Where there is memory for a row, [`Scene::draw_by_rows`] costs less, for a lone solid a quarter.
     ///
     /// # Errors
     ///
@@ -28,13 +28,55 @@ impl Scene<'_> {
     where
         D: DrawTarget<Color: Paint>,
     {
+        self.draw_through(display, &mut blank())
+    }
+
+    /// The same, but through the caller's memory: as many pixels are reckoned at a time as there is room for, up to a
+    /// row. Neighbours share what they can, so the longer the cheaper. Without any room it is [`Scene::draw`].
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+    /// use embedded_lathe::*;
+    ///
+    /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
+    /// static SCENE: Scene = Scene {
+    ///     solids: &[Solid::new(&BALL, Rgb::WHITE)],
+    ///     camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+    ///     light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+    ///     background: Background::Plain(Rgb::BLACK),
+    /// };
+    ///
+    /// let mut display = MockDisplay::<Rgb565>::new();
+    /// SCENE.draw_by_rows(&mut display, &mut [Rgb565::BLACK; 64])?;
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The display's own.
+    pub fn draw_by_rows<D>(&self, display: &mut D, row: &mut [D::Color]) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color: Paint>,
+    {
+        if row.is_empty() { self.draw(display) } else { self.draw_through(display, row) }
+    }
+
+    fn draw_through<D>(&self, display: &mut D, run: &mut [D::Color]) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color: Paint>,
+    {
         let area = display.bounding_box();
         let Size { width, height } = area.size;
-        match self.picture(width, height).pixels(0, 0, width, height) {
+        match self.picture(width, height).pixels((0, 0), (width, height), run) {
             Some(pixels) => display.fill_contiguous(&area, pixels),
             None => Ok(()),
         }
     }
+}
+
+/// Room for a run.
+fn blank<C: Paint>() -> [C; RUN] {
+    [C::paint(Rgb::BLACK, 0, 0); RUN]
 }
 
 impl<'a> Picture<'a> {
@@ -93,7 +135,7 @@ impl<C: Paint + PixelColor> ImageDrawable for Drawable<'_, C> {
         let area = self.bounding_box().intersection(area);
         let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
         // Inside the picture, so not negative.
-        match self.picture.pixels(x as u32, y as u32, width, height) {
+        match self.picture.pixels((x as u32, y as u32), (width, height), &mut blank()) {
             Some(pixels) => target.fill_contiguous(&Rectangle::new(Point::zero(), area.size), pixels),
             None => Ok(()),
         }

@@ -2,7 +2,7 @@
 //! is kept.
 
 use crate::camera::Row;
-use crate::color::{Paint, Rgb};
+use crate::color::Paint;
 use crate::lathe::{Seen, Stop};
 use crate::scene::Scene;
 use crate::seldom::seldom;
@@ -11,8 +11,8 @@ use crate::vector::F32x3;
 use core::num::NonZeroU32;
 
 /// How many pixels are reckoned at once where a row cannot be: before several solids, for the depths are kept
-/// until all have been seen, and on the way to a display.
-const RUN: usize = 16;
+/// until all have been seen, and on the way to a display that lends no memory.
+pub(crate) const RUN: usize = 24;
 
 /// A scene as a picture of so many pixels: reckoned row by row, or pixel by pixel, when asked.
 ///
@@ -111,9 +111,14 @@ impl Picture<'_> {
         }
     }
 
-    /// The pixels of a rectangle, row by row from its upper left corner, reckoned as they are asked for.
-    pub(crate) fn pixels<C: Paint>(&self, x: u32, y: u32, width: u32, height: u32) -> Option<Pixels<'_, C>> {
-        let blank = C::paint(Rgb::BLACK, 0, 0);
+    /// The pixels of a rectangle, row by row from its upper left corner, reckoned as they are asked for: a run at a
+    /// time, as long as there is room for.
+    pub(crate) fn pixels<'p, C: Paint>(
+        &'p self,
+        (x, y): (u32, u32),
+        (width, height): (u32, u32),
+        run: &'p mut [C],
+    ) -> Option<Pixels<'p, C>> {
         Some(Pixels {
             picture: self,
             left: x,
@@ -121,8 +126,10 @@ impl Picture<'_> {
             width: NonZeroU32::new(width)?,
             next: 0,
             end: width.checked_mul(height)?,
-            run: [blank; RUN],
-            run_at: None,
+            room: NonZeroU32::new(u32::try_from(run.len()).unwrap_or(u32::MAX))?,
+            run,
+            run_at: 0,
+            ready: 0,
         })
     }
 }
@@ -232,30 +239,43 @@ pub(crate) struct Pixels<'a, C> {
     /// The number of the next pixel, row by row, and how many there are.
     next: u32,
     end: u32,
-    run: [C; RUN],
-    /// The number of the pixel that the run begins with, if there is one.
-    run_at: Option<u32>,
+    /// Rows are cut in runs of so many pixels, from their left end on.
+    room: NonZeroU32,
+    run: &'a mut [C],
+    /// The number of the pixel that the run begins with, and how many it has.
+    run_at: u32,
+    ready: u32,
+}
+
+impl<C: Paint> Pixels<'_, C> {
+    /// The run that the next pixel is in.
+    #[inline]
+    fn reckon(&mut self) {
+        let (row, column) = (self.next / self.width, self.next % self.width);
+        let within = column % self.room;
+        let begin = column - within;
+        self.run_at = self.next - within;
+        self.ready = self.room.get().min(self.width.get() - begin);
+        if let Some(run) = self.run.get_mut(..self.ready as usize) {
+            self.picture.part_of_row(self.left + begin, self.top + row, run);
+        }
+    }
 }
 
 impl<C: Paint> Iterator for Pixels<'_, C> {
     type Item = C;
 
+    #[inline]
     fn next(&mut self) -> Option<C> {
         if self.next >= self.end {
             return None;
         }
-        let (row, column) = (self.next / self.width, self.next % self.width);
-        let within = column % RUN as u32;
-        let run_at = self.next - within;
-        if self.run_at != Some(run_at) {
-            self.run_at = Some(run_at);
-            let len = (self.width.get() - (column - within)).min(RUN as u32);
-            if let Some(run) = self.run.get_mut(..len as usize) {
-                self.picture.part_of_row(self.left + column - within, self.top + row, run);
-            }
+        if self.next - self.run_at >= self.ready {
+            self.reckon();
         }
+        let pixel = self.run.get((self.next - self.run_at) as usize).copied();
         self.next += 1;
-        self.run.get(within as usize).copied()
+        pixel
     }
 
     fn nth(&mut self, n: usize) -> Option<C> {

@@ -170,7 +170,7 @@ fn random_scenes_are_those_of_single_rays() {
 
 #[test]
 fn random_upright_scenes_are_those_of_single_rays() {
-    // Three runs of 16 pixels, where there are two solids: that in the middle sees one of them mirrored.
+    // Two runs of 24 pixels, where there are two solids.
     random_scenes(48, upright_camera);
 }
 

@@ -40,12 +40,13 @@ pub fn pixels() -> impl Iterator<Item = (u32, u32)> {
     (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y)))
 }
 
-/// By rows into one buffer; the vase by `draw` as well.
+/// By rows into one buffer; the vase drawn as well, with and without a buffer.
 pub fn measured() {
     let mut row = BLANK;
     for (name, scene) in SCENES {
         frame(name, scene, || rows(scene, &mut row));
     }
+    frame("vase drawn by rows", &scenes::VASE_SCENE, || draw_by_rows(&scenes::VASE_SCENE, &mut row));
     frame("vase drawn", &scenes::VASE_SCENE, || draw(&scenes::VASE_SCENE));
 }
 
@@ -81,4 +82,9 @@ fn rows(scene: &Scene, row: &mut Row) {
 #[inline(never)]
 fn draw(scene: &Scene) {
     let Ok(()) = black_box(scene).draw(&mut Sink::<display::Color>::new(WIDTH, HEIGHT));
+}
+
+#[inline(never)]
+fn draw_by_rows(scene: &Scene, row: &mut Row) {
+    let Ok(()) = black_box(scene).draw_by_rows(&mut Sink::<display::Color>::new(WIDTH, HEIGHT), row);
 }

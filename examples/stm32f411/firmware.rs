@@ -61,10 +61,11 @@ fn main() -> ! {
     );
     unwrap!(display.clear(Rgb565::BLACK).ok());
 
+    let mut row = [Rgb565::BLACK; 240];
     for n in (0..FRAMES).cycle() {
         let start = cycles.cyccnt.read();
         let scene = Scene { solids: &[unwrap!(leaning(n))], ..scenes::VASE_SCENE };
-        unwrap!(scene.draw(&mut display).ok());
+        unwrap!(scene.draw_by_rows(&mut display, &mut row).ok());
         info!("frame {}: {} cycles", n, cycles.cyccnt.read().wrapping_sub(start));
     }
     unreachable!()

@@ -75,8 +75,12 @@ fuzz_target!(|input: Input| {
         forms::shipped::<Cardano<math::Micromath>>(&lathe, &cast),
     ] {
         let units = truth.judge_unsure(answer, doubt);
+        // A crossing but for the rounding of t is as good as can be, however large that is.
+        let is_rounded = answer.map(f64::from).is_some_and(|t| {
+            truth.crossings.iter().any(|at| (at - t).abs() <= (-24f64).exp2() * at.abs())
+        });
         assert!(
-            units <= UNITS,
+            is_rounded || units <= UNITS,
             "{cast:?} {outline:?}: {answer:?} is {units} units off; truth {:?}",
             truth.crossings
         );

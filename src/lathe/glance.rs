@@ -10,7 +10,8 @@
 //! and if its slope A exceeds J, `g ≤ −(A − J)·x − K·x²` at x before it: it is the first.
 //!
 //! The first place is the one nearest to the axis, which all but a few rays need no other than.
-//! What is not clear beyond doubt is left to the walk, which says the same where it is.
+//! What is nearer to a decision than doubt, some times what rounding can do to g, is left to the walk: below zero g must
+//! be by more, and behind a root it must rise above that, too, as it does where A − J is four times its root.
 
 use super::View;
 use super::line::Line;
@@ -29,6 +30,9 @@ pub(super) enum Glance {
     Unclear,
 }
 
+/// A decision nearer than this part of the radius, squared, is not made at a glance.
+const MOST_DOUBT: f32 = 0.25;
+
 /// How many places are looked at, at most.
 const LOOKS: u32 = 3;
 
@@ -37,9 +41,6 @@ const STEPS: u32 = 4;
 
 /// How far from the root, in the frame, a step may leave off.
 const ROOT: f32 = 1.0 / 33_554_432.0;
-
-/// How much steeper than it has to be a root is, at least.
-const SLACK: f32 = 1.0 / 64.0;
 
 impl View<'_> {
     /// What a line that is not steep, and passes through the cylinder around the solid, meets beyond `t_min`.
@@ -50,10 +51,10 @@ impl View<'_> {
         let rise = d.z * d.z;
         let Cover { bulge, kinks } = segments.first().map_or(Cover::NONE, |segment| segment.above);
         let (jump, curve) = (kinks * d.z.abs(), q - bulge * rise);
-        if !(curve > 0.0) {
+        let doubt = ROUNDING * (2.0 + frame.steepest) * (frame.size + back.abs() * (q + rise));
+        if !(curve > 0.0 && doubt < MOST_DOUBT) {
             return Glance::Unclear;
         }
-        let doubt = ROUNDING * (2.0 + frame.steepest) * (frame.size + back.abs() * (q + rise));
 
         // Beyond an end's plane, on that plane. Farther from the axis the solid is on one side of it.
         let mut ahead = 0.0;
@@ -109,7 +110,8 @@ impl View<'_> {
         };
         let u = (p.z + s * d.z - segment.low) * segment.per_height;
         let t = (s - back) / line.unit;
-        let is_first = (0.0..=1.0).contains(&u) && slope > jump + SLACK;
+        let steep = slope - jump;
+        let is_first = (0.0..=1.0).contains(&u) && steep > 0.0 && steep * steep > 16.0 * doubt;
         if is_first && t > t_min && t <= f32::MAX {
             Glance::Meets(Hit { t, segment: index, u, enters: true, part: Part::Wall })
         } else {

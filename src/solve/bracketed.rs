@@ -8,10 +8,13 @@ const MOST_STEPS: u32 = 64;
 /// A step of so small a part of the piece is the last.
 const LAST: f32 = 1.0 / 33_554_432.0;
 
+/// A value of so small a part of its terms is zero, but for rounding.
+const UNIT: f32 = 1.0 / 16_777_216.0;
+
 /// Newton's method in a bracket, no more: a step that leaves it is replaced by its middle.
 ///
-/// The smallest solver, for rays that are seldom asked about: what is off by 2⁻²⁵ of a chord is on the surface, but
-/// for a rounding.
+/// The smallest solver, for rays that are seldom asked about. A root that is off by 2⁻²⁵ of its chord is as good there
+/// as any.
 pub(crate) struct Bracketed;
 
 impl Solver for Bracketed {
@@ -21,11 +24,8 @@ impl Solver for Bracketed {
     fn root(g: &Cubic, piece: &Piece) -> f32 {
         let (mut lo, mut hi) = (piece.lo, piece.hi);
         let last = LAST * (hi - lo);
-        let mut u = hi;
+        let mut u = 0.5 * (lo + hi);
         for _ in 0..MOST_STEPS {
-            if !(lo < u && u < hi) {
-                u = 0.5 * (lo + hi);
-            }
             let value = g.at(u);
             if value > 0.0 {
                 lo = u;
@@ -33,8 +33,14 @@ impl Solver for Bracketed {
                 hi = u;
             }
             let step = value / g.slope(u);
+            if value.abs() <= UNIT * g.size(u) || step.abs() <= last {
+                break;
+            }
             u -= step;
-            if step.abs() <= last {
+            if !(lo < u && u < hi) {
+                u = 0.5 * (lo + hi);
+            }
+            if u == lo || u == hi {
                 break;
             }
         }

@@ -149,6 +149,20 @@ fn a_far_conical_pole_along_the_axis() {
     );
 }
 
+/// Along a sheet's edge that tapers to nothing, where g vanishes all but doubly: Newton's steps there are of any length.
+#[test]
+fn an_edge_that_tapers_away() {
+    let largest = f64::from(0.22212219_f32);
+    met_unsure(
+        4.0 * PROMISE * largest * (-24f64).exp2(),
+        &[0.0, 0.421875, 0.84375],
+        &[0.0007324219, 0.0, 0.0, 0.0, 0.22212219, 0.0, 0.0],
+        0.0,
+        [0.23460878, -6.1035156e-5, 8.160765],
+        [-3.0517578e-5, 0.0, -1.0],
+    );
+}
+
 /// A tip whose slope is of no normal size has the axis for its normal: its own, brought to one, was not a number.
 #[test]
 fn a_tip_all_but_without_a_slope() {
@@ -181,4 +195,23 @@ fn any_hit_and_all_hits_of_a_sheet() {
     let ray = Ray::new([1.399e-41, 0.0, 1.6495023e-33], [1.089e-42, 1.6490775e-33, 1.8183441e-38]);
     let (lathe, ray) = (turned(&outline), ray.expect("finite"));
     assert_eq!(lathe.is_hit(&ray, 0.0), !lathe.hits::<50>(&ray, 0.0).is_empty());
+}
+
+/// Another, that is lower than rounding at the distance of the ray's origin.
+#[test]
+fn the_nearest_hit_and_all_hits_of_a_sheet() {
+    let outline = Outline {
+        name: "found",
+        knots: vec![-1633.7247, 3.0573823e-21],
+        ordinates: vec![5.05131e22, 6.770577e22, 6.770577e22, 3.0360317e-21],
+        k: 4.749539e-39,
+        base_closed: true,
+        top_closed: true,
+    };
+    let ray = Ray::new(
+        [2.2904043e-38, -8.38089e-27, 38273630000.0],
+        [-1.5002766e-26, -1.5002785e-26, -1.5002785e-26],
+    );
+    let (lathe, ray) = (turned(&outline), ray.expect("finite"));
+    assert_eq!(lathe.nearest(&ray, 0.0), lathe.hits::<50>(&ray, 0.0).first().copied());
 }

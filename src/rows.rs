@@ -196,22 +196,31 @@ impl<C: Paint> Canvas<'_, C> {
         let Self { x, y, ref finish, mirrored, ref mut run, ref mut depths } = *self;
         let mut at = (along.column(i) - x) as usize;
         let step = if along.is_turned() { usize::MAX } else { 1 };
-        // A pixel and its mirror image, which is nowhere if there is none.
-        let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
-        let opposite = mirrored.unwrap_or(finish.towards);
-        along.follow(i, to, |seen| {
-            let column = x + at as u32;
-            if is_nearest(seen.t, depths.get_mut(at)) {
+        if let Some(opposite) = mirrored {
+            // A pixel and its mirror image.
+            let both = run.len() - 1;
+            along.follow(i, to, |seen| {
+                let column = x + at as u32;
                 if let Some(pixel) = run.get_mut(at) {
                     *pixel = C::shade(finish.shades::<C>(column, seen, finish.towards), column, y);
                 }
-                let at = both.wrapping_sub(at);
-                if let Some(pixel) = run.get_mut(at) {
-                    *pixel = C::shade(finish.shades::<C>(column, seen, opposite), x + at as u32, y);
+                let other = both.wrapping_sub(at);
+                if let Some(pixel) = run.get_mut(other) {
+                    *pixel = C::shade(finish.shades::<C>(column, seen, opposite), x + other as u32, y);
                 }
-            }
-            at = at.wrapping_add(step);
-        })
+                at += 1;
+            })
+        } else {
+            along.follow(i, to, |seen| {
+                let column = x + at as u32;
+                if let Some(pixel) = run.get_mut(at)
+                    && is_nearest(seen.t, depths.get_mut(at))
+                {
+                    *pixel = C::shade(finish.shades::<C>(column, seen, finish.towards), column, y);
+                }
+                at = at.wrapping_add(step);
+            })
+        }
     }
 }
 

@@ -85,7 +85,7 @@ impl Sweep<'_> {
     /// `κ²·g = −y·(A·κ − c2·y + c3·y²)`,
     ///
     /// and the bracket is above doubt where y ends, and at its vertex if that is between.
-    #[inline(never)]
+    #[inline]
     pub(super) fn is_first_by_cubic(&self, u: f32, slope: f32, back: f32, d: F32x3) -> bool {
         let [_, _, f2, f3] = self.segment.f;
         let kappa = d.z.abs();

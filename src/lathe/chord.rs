@@ -48,18 +48,6 @@ impl<'a> Chord<'a> {
         Some(Self { path, segment, index, origin, g, from: from - origin, to: to - origin })
     }
 
-    /// Whether a ray that comes from outside certainly stays there.
-    ///
-    /// Since |s| ≤ l on the chord, `g ≤ c0 + c1·s + (c2 + |c3|·l)·s²`, a parabola, and where that opens downwards
-    /// its vertex is at `c0 − c1²/4(c2 + |c3|·l)`. That is close, for c3 is small.
-    #[inline(always)]
-    pub fn is_clear(&self) -> bool {
-        let [c0, c1, c2, c3] = self.g.c;
-        let l = greater(self.to, -self.from);
-        let c2 = c2 + c3.abs() * l;
-        c2 < 0.0 && c0 < 0.0 && c1 * c1 < 4.0 * c2 * c0
-    }
-
     /// The first crossing after a point of the chord, given the side that the ray is on there.
     #[inline(always)]
     pub fn crossing<S: Solver>(&self, from: f32, inside: bool) -> Option<f32> {

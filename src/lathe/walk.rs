@@ -54,7 +54,6 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
         let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
         match Chord::new(path, segment, index, [at, end]) {
             None => inside = false,
-            Some(chord) if !inside && chord.is_clear() => {}
             Some(chord) => {
                 if SIGNS && at > first && chord.crosses::<S>(inside) && path.distance(end) < f32::INFINITY {
                     return meet(chord.hit(0.0, !inside)).break_value();

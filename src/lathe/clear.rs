@@ -12,8 +12,8 @@ use crate::vector::F32x3;
 pub(super) struct Crest {
     /// A bound on it.
     pub g: f32,
-    /// The segment and the place where it may come above zero.
-    pub entry: Option<(usize, f32)>,
+    /// The segment and the place where it may come to zero, and whether from below, 1, or from above, −1.
+    pub entry: Option<(usize, f32, f32)>,
 }
 
 impl Sweep<'_> {
@@ -37,7 +37,11 @@ impl Sweep<'_> {
                 let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
                 most_here = most(&g, at - from, to - at);
                 if !(most_here < -self.doubt) && crest.entry.is_none() {
-                    crest.entry = Some((index, greater(from, at + entry(&g))));
+                    let sign = if g.at(from - at) > 0.0 { -1.0 } else { 1.0 };
+                    let s = at + zero(&g, sign);
+                    if sign > 0.0 || s <= to {
+                        crest.entry = Some((index, greater(from, s), sign));
+                    }
                 }
             }
             crest.g = greater(crest.g, most_here);
@@ -54,8 +58,8 @@ impl Sweep<'_> {
         let reach = self.reach(&path);
         let crest = self.crest(&path, 1.0, reach);
         if !(crest.g < -self.doubt) {
-            if let Some((index, s)) = crest.entry {
-                self.begin(index, s, 1.0);
+            if let Some((index, s, sign)) = crest.entry {
+                self.begin(index, s, sign);
             }
             return i;
         }
@@ -143,8 +147,8 @@ impl Pace {
     }
 }
 
-/// Where the parabola of a cubic's first terms comes above zero, if it does.
-fn entry(g: &Cubic) -> f32 {
+/// Where the parabola of a cubic's first terms comes above zero, or, for −1, below, if it does and opens downwards.
+fn zero(g: &Cubic, sign: f32) -> f32 {
     let [c0, c1, c2, _] = g.c;
-    (Native::sqrt(c1 * c1 - 4.0 * c2 * c0) - c1) / (2.0 * c2)
+    (sign * Native::sqrt(c1 * c1 - 4.0 * c2 * c0) - c1) / (2.0 * c2)
 }

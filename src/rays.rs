@@ -23,7 +23,7 @@ impl Rays {
     }
 
     /// Origin and direction of pixel i.
-    #[inline(always)]
+    #[inline]
     pub fn at(&self, i: f32) -> (F32x3, F32x3) {
         (self.origin + self.origin_step * i, self.direction + self.direction_step * i)
     }

@@ -11,13 +11,13 @@ pub(super) const fn threshold(x: u32, y: u32) -> u32 {
 }
 
 /// A whole shade for a broken one, such that its mean over 8×8 pixels is that, within 1/128.
-#[inline(always)]
+#[inline]
 pub(super) const fn dithered(shade: u32, x: u32, y: u32) -> u8 {
     ((shade + (2 * threshold(x, y) + 1) * (Shades::ONE / 128)) / Shades::ONE) as u8
 }
 
 /// The nearest whole shade.
-#[inline(always)]
+#[inline]
 pub(super) const fn nearest(shade: u32) -> u8 {
     ((shade + Shades::ONE / 2) / Shades::ONE) as u8
 }

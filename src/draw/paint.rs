@@ -13,7 +13,7 @@ macro_rules! channels {
         impl Paint for $colour {
             const SHADES: Rgb = Rgb::new(Self::MAX_R as f32, Self::MAX_G as f32, Self::MAX_B as f32);
 
-            #[inline(always)]
+            #[inline]
             fn shade(shades: Shades, _: u32, _: u32) -> Self {
                 Self::new(nearest(shades.r), nearest(shades.g), nearest(shades.b))
             }
@@ -30,7 +30,7 @@ const fn luma(most: f32) -> Rgb {
 }
 
 /// The shade that three channels' come to.
-#[inline(always)]
+#[inline]
 fn sum(shades: Shades) -> u32 {
     shades.r + shades.g + shades.b
 }
@@ -38,7 +38,7 @@ fn sum(shades: Shades) -> u32 {
 impl Paint for Gray8 {
     const SHADES: Rgb = luma(255.0);
 
-    #[inline(always)]
+    #[inline]
     fn shade(shades: Shades, _: u32, _: u32) -> Self {
         Self::new(nearest(sum(shades)))
     }
@@ -47,7 +47,7 @@ impl Paint for Gray8 {
 impl Paint for Gray4 {
     const SHADES: Rgb = luma(15.0);
 
-    #[inline(always)]
+    #[inline]
     fn shade(shades: Shades, x: u32, y: u32) -> Self {
         Self::new(dithered(sum(shades), x, y))
     }
@@ -56,7 +56,7 @@ impl Paint for Gray4 {
 impl Paint for Gray2 {
     const SHADES: Rgb = luma(3.0);
 
-    #[inline(always)]
+    #[inline]
     fn shade(shades: Shades, x: u32, y: u32) -> Self {
         Self::new(dithered(sum(shades), x, y))
     }
@@ -65,7 +65,7 @@ impl Paint for Gray2 {
 impl Paint for BinaryColor {
     const SHADES: Rgb = luma(1.0);
 
-    #[inline(always)]
+    #[inline]
     fn shade(shades: Shades, x: u32, y: u32) -> Self {
         Self::from(dithered(sum(shades), x, y) == 1)
     }

@@ -44,7 +44,7 @@ const ROOT: f32 = 1.0 / 33_554_432.0;
 
 impl View<'_> {
     /// What a line that is not steep, and passes through the cylinder around the solid, meets beyond `t_min`.
-    #[inline(always)]
+    #[inline]
     pub fn glance(&self, line: &Line, t_min: f32) -> Glance {
         let View { frame, segments } = *self;
         let Line { point: mut p, direction: d, q, mut back, .. } = *line;

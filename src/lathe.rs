@@ -21,6 +21,7 @@
 //! `first.rs` and `clear.rs`.
 
 mod bound;
+mod cap;
 mod chord;
 mod clear;
 mod first;

@@ -158,6 +158,11 @@ impl<C: Paint> Canvas<'_, C> {
                 i = next;
                 continue;
             }
+            let next = self.cap(along, i);
+            if next > i {
+                i = next;
+                continue;
+            }
             if let Some(next) = along.look(i) {
                 i = next;
                 continue;
@@ -176,6 +181,17 @@ impl<C: Paint> Canvas<'_, C> {
             }
             i += 1;
         }
+    }
+
+    /// What the rays from i on see that come in through a cap. The first that does not is the one returned.
+    #[inline(never)]
+    fn cap(&mut self, along: &SolidRow, i: u32) -> u32 {
+        along.cap(i, |i, seen| {
+            if self.mirrored.is_some() {
+                self.put(along.opposite(i), seen);
+            }
+            self.put(along.column(i), seen);
+        })
     }
 
     /// What a column's ray sees.

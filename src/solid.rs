@@ -176,6 +176,12 @@ impl SolidRow<'_> {
         self.sweep.stopped(i, stop);
     }
 
+    /// As [`Sweep::cap`].
+    #[inline(always)]
+    pub fn cap(&self, i: u32, see: impl FnMut(u32, &Seen)) -> u32 {
+        self.sweep.cap(i, see)
+    }
+
     /// As [`Sweep::look`]. Apart, as `alone` is: their stacks are not both needed.
     #[inline(never)]
     pub fn look(&mut self, i: u32) -> Option<u32> {

@@ -27,11 +27,12 @@ type Row = [display::Color; WIDTH as usize];
 
 const BLANK: Row = [display::BLANK; WIDTH as usize];
 
-const SCENES: [(&str, &Scene); 5] = [
+const SCENES: [(&str, &Scene); 6] = [
     ("vase", &scenes::VASE_SCENE),
     ("tilted vase", &scenes::TILTED_SCENE),
     ("still life", &scenes::STILL_LIFE),
     ("inside", &scenes::INSIDE_SCENE),
+    ("knob", &scenes::KNOB_SCENE),
     ("vase of 64 segments", &scenes::fine::SCENE),
 ];
 

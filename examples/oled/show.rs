@@ -2,7 +2,7 @@
 
 use crate::{card::card, scenes};
 use core::f32::consts::TAU;
-use embedded_graphics::{pixelcolor::Gray4, prelude::*};
+use embedded_graphics::{pixelcolor::Gray4, prelude::*, primitives::Rectangle};
 use embedded_lathe::{Background, Camera, Pose, Rgb, Rotation, Scene, Solid, valid};
 
 /// What there is to see; `card` tries the panel's driver.
@@ -25,11 +25,19 @@ pub fn draw<D: DrawTarget<Color = Gray4>>(name: &[u8], n: u32, display: &mut D) 
     .ok()
 }
 
-/// By rows: a row shares more than the runs of pixels that there is room for without memory.
+/// Row by row, each sent as soon as it is reckoned: a row shares more than the pixels of a whole picture can.
 fn see<D: DrawTarget<Color = Gray4>>(solids: &[Solid], display: &mut D) -> Result<(), D::Error> {
     let background = Background::Gradient { top: Rgb::gray(0.05), bottom: Rgb::gray(0.25) };
     let scene = Scene { solids, camera: CAMERA, light: scenes::DAYLIGHT, background };
-    scene.draw_by_rows(display, &mut [Gray4::BLACK; WIDTH])
+    let Rectangle { top_left, size } = display.bounding_box();
+    let picture = scene.picture(size.width, size.height);
+    let mut row = [Gray4::BLACK; WIDTH];
+    for y in 0..size.height {
+        picture.row(y, &mut row);
+        let line = Rectangle::new(top_left + Point::new(0, y as i32), Size::new(size.width, 1));
+        display.fill_contiguous(&line, row)?;
+    }
+    Ok(())
 }
 
 /// How wide the panel is, in pixels.

@@ -84,7 +84,7 @@ pub static TILTED_SCENE: Scene = Scene {
     background: PLAIN,
 };
 
-/// Into the vase from above: the inside of its wall and of its neck.
+/// Into a bowl from above: the inside of its wall.
 pub static INSIDE_SCENE: Scene = Scene {
     solids: &[Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30)],
     camera: valid!(Camera::perspective([0.0, -1.6, 2.0], [0.0, 0.0, 0.3], [0.0, 0.0, 1.0], 0.35)),
@@ -96,6 +96,21 @@ pub static INSIDE_SCENE: Scene = Scene {
 pub static BOWL: Lathe<[Segment; 2]> = Lathe::turn(
     valid!(Profile::new(&[0.0, 0.08, 0.5], &[0.05, 0.05, 0.03, 0.03, 0.3, 0.25, 0.36])).base(End::Capped),
 );
+
+/// A knob with a rounded edge and a flat top.
+pub static KNOB: Lathe<[Segment; 2]> = Lathe::turn(
+    valid!(Profile::new(&[0.0, 0.3, 0.38], &[0.25, 0.25, 0.25, 0.25, 0.25, 0.24, 0.2]))
+        .base(End::Capped)
+        .top(End::Capped),
+);
+
+/// The knob from above.
+pub static KNOB_SCENE: Scene = Scene {
+    solids: &[Solid::new(&KNOB, Rgb::gray(0.75)).shiny(20)],
+    camera: valid!(Camera::perspective([0.0, -1.8, 1.6], [0.0, 0.0, 0.15], [0.0, 0.0, 1.0], 0.3)),
+    light: DAYLIGHT,
+    background: SKY,
+};
 
 /// The vase, a ball and a pawn.
 pub static STILL_LIFE: Scene = Scene {
@@ -114,9 +129,10 @@ pub static STILL_LIFE: Scene = Scene {
 };
 
 /// All of them, and what their pictures in `docs` are called.
-pub static NAMED: [(&str, &Scene); 4] = [
+pub static NAMED: [(&str, &Scene); 5] = [
     ("vase", &VASE_SCENE),
     ("tilted-vase", &TILTED_SCENE),
     ("bowl", &INSIDE_SCENE),
+    ("knob", &KNOB_SCENE),
     ("still-life", &STILL_LIFE),
 ];

@@ -27,9 +27,6 @@ impl<'a> Chord<'a> {
     /// the coefficients are as small as the solid is there.
     #[inline(always)]
     pub fn new(path: &'a Path, segment: &'a Segment, index: usize, [from, to]: [f32; 2]) -> Option<Self> {
-        if path.square > segment.reach {
-            return None;
-        }
         let mut origin = path.closest(from, to);
         let square = path.around(origin).0;
         if square > segment.reach {

@@ -104,7 +104,7 @@ impl Lathe {
             low: greater(frame.low, height - slope),
             high: lesser(frame.high, height + slope),
             steep,
-            rising: (dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
+            rising: (is_usable && dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
             q,
             drift,
             doubt,

@@ -3,11 +3,11 @@
 //! At a place on a ray, at the heights of the solid, g is known, and its slope. Everywhere else it lies below a
 //! parabola, by the bounds of a [`Cover`]: over the distance s from there,
 //!
-//! `g ≤ c0 + (|c1| + J)·|s| − K·s²`, J = kinks·|dz|, K = q − bulge·dz².
+//! `g ≤ c0 + (|c1| + J)·|s| + K·s²`, J = kinks·|dz|, K = bulge·dz² − q.
 //!
 //! If that does not come up to zero the ray misses. Otherwise the segment's own parabola tells where there may be a root,
 //! or where g is greatest: the next place to look at. Once a root is in the segment looked at, Newton's method finds it;
-//! and if its slope A exceeds J, `g ≤ −(A − J)·x − K·x²` at x before it: it is the first.
+//! and if its slope A exceeds J, `g ≤ −(A − J)·x + K·x²` at x before it: it is the first.
 //!
 //! The first place is the one nearest to the axis, which all but a few rays need no other than.
 //! What is nearer to a decision than doubt, some times what rounding can do to g, is left to the walk: below zero g must
@@ -50,9 +50,9 @@ impl View<'_> {
         let Line { point: mut p, direction: d, q, mut back, .. } = *line;
         let rise = d.z * d.z;
         let Cover { bulge, kinks } = segments.first().map_or(Cover::NONE, |segment| segment.above);
-        let (jump, curve) = (kinks * d.z.abs(), q - bulge * rise);
+        let (jump, curve) = (kinks * d.z.abs(), bulge * rise - q);
         let doubt = ROUNDING * (2.0 + frame.steepest) * (frame.size + back.abs() * (q + rise));
-        if !(curve > 0.0 && doubt < MOST_DOUBT) {
+        if !(curve < 0.0 && doubt < MOST_DOUBT) {
             return Glance::Unclear;
         }
 
@@ -76,9 +76,9 @@ impl View<'_> {
             };
             let g = segment.g_along(p, d, q);
             let [c0, c1, c2, _] = g.c;
-            let below = -(c0 + doubt);
+            let highest = c0 + doubt;
             let lean = jump + if ahead == 0.0 { c1.abs() } else { c1 * 1_f32.copysign(ahead) };
-            if below > 0.0 && (lean <= 0.0 || lean * lean < 4.0 * curve * below) {
+            if highest < 0.0 && (lean <= 0.0 || lean * lean < 4.0 * curve * highest) {
                 return Glance::Misses;
             }
             let square = c1 * c1 - 4.0 * c2 * c0;

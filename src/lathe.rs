@@ -42,7 +42,7 @@ pub(crate) use sweep::Sweep;
 use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
 use crate::vector::{F32x3, largest, vector};
-use segment::{power_of_two_for, widened};
+use segment::{larger, power_of_two_for, widened};
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
 ///
@@ -164,8 +164,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
         let (mut steepest, mut curvature) = (0.0, 0.0);
         let mut i = 0;
         while i < len {
-            steepest = segments[i].steepest().max(steepest);
-            curvature = segments[i].curvature().max(curvature);
+            steepest = larger(steepest, segments[i].steepest());
+            curvature = larger(curvature, segments[i].curvature());
             i += 1;
         }
         let (high, reach) = (segments[len - 1].high, widened(largest * scale * scale));

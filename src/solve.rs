@@ -14,6 +14,9 @@
 //! A closed form that is poor, or poor at times, is brought to full accuracy by [`refine`], in a bracket. The
 //! default needs none: it is good everywhere, and its cost differs little from one cubic to another.
 //!
+//! Rays that a glance does not tell are walked along with the smallest of all, Newton's method in a bracket and nothing
+//! else. (`bracketed.rs`.)
+//!
 //! # Promise
 //!
 //! The root returned is exact for a cubic whose coefficients differ from the given ones by at most

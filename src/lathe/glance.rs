@@ -11,7 +11,8 @@
 //!
 //! The first place is the one nearest to the axis, which all but a few rays need no other than.
 //! What is nearer to a decision than doubt, some times what rounding can do to g, is left to the walk: below zero g must
-//! be by more, and behind a root it must rise above that, too, as it does where A − J is four times its root.
+//! be by more; behind a root it must rise above that, as it does where `(A − J)² > 4·doubt·|g″/2|`; and the segment's
+//! ends, and the ray's start, must be farther away.
 
 use super::View;
 use super::line::Line;
@@ -61,10 +62,10 @@ impl View<'_> {
         if !(frame.low <= p.z && p.z <= frame.high) {
             let end = if p.z > frame.high { frame.high } else { frame.low };
             ahead = (end - p.z) / d.z;
-            p += d * ahead;
-            if flat(p, p) > frame.reach {
+            if flat(p, p) + q * (ahead * ahead) > frame.reach {
                 return Glance::Misses;
             }
+            p += d * ahead;
             (p.z, back) = (end, back - ahead);
         }
 
@@ -96,23 +97,26 @@ impl View<'_> {
 
         let most = q + frame.curvature * rise;
         let mut steps = STEPS;
-        let slope = loop {
+        loop {
             let slope = g.slope(s);
             let step = g.at(s) / slope;
             s -= step;
             if step * step * most <= ROOT * slope {
-                break slope;
+                break;
             }
             steps -= 1;
             if steps == 0 {
                 return Glance::Unclear;
             }
-        };
-        let u = (p.z + s * d.z - segment.low) * segment.per_height;
-        let t = (s - back) / line.unit;
-        let steep = slope - jump;
-        let is_first = (0.0..=1.0).contains(&u) && steep > 0.0 && steep * steep > 16.0 * doubt;
-        if is_first && t > t_min && t <= f32::MAX {
+        }
+        let steep = g.slope(s) - jump;
+        let is_first = steep > 0.0 && steep * steep > 4.0 * most * doubt;
+        let (z, way) = (p.z + s * d.z, s - back);
+        let is_within = z - segment.low > doubt && segment.high - z > doubt;
+        let is_beyond = (way - t_min * line.unit) * steep > doubt;
+        let u = (z - segment.low) * segment.per_height;
+        let t = way / line.unit;
+        if is_first && is_within && is_beyond && super::is_beyond(t, t_min) {
             Glance::Meets(Hit { t, segment: index, u, enters: true, part: Part::Wall })
         } else {
             Glance::Unclear

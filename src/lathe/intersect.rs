@@ -6,6 +6,7 @@ use super::path::Path;
 use super::walk::walk;
 use super::{Lathe, Segment};
 use crate::hit::Hit;
+use crate::math::order::greater;
 use crate::ray::Ray;
 use crate::solve::{Bracketed, Solver};
 use core::ops::ControlFlow;
@@ -18,29 +19,36 @@ impl<const N: usize> Lathe<[Segment; N]> {
     /// which is checked at compile time, and cannot overflow.
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         let line = Line::new(&self.frame, ray);
-        let first = self.glance(&line, t_min);
-        if let Glance::Misses = first {
-            return Vec::new();
+        match self.glance(&line, t_min) {
+            Glance::Misses => Vec::new(),
+            Glance::Meets(nearest) => self.hits_on::<Bracketed, C>(&line, t_min, Some(nearest)),
+            Glance::Unclear => self.hits_on::<Bracketed, C>(&line, t_min, None),
         }
-        let mut hits = self.hits_on::<Bracketed, C>(&line, t_min);
-        // The same to the last bit as the nearest.
-        if let (Glance::Meets(first), Some(hit)) = (first, hits.first_mut()) {
-            *hit = first;
-        }
-        hits
     }
 
     /// [`Lathe::hits`] with the solver S.
     pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        self.hits_on::<S, C>(&Line::new(&self.frame, ray), t_min)
+        self.hits_on::<S, C>(&Line::new(&self.frame, ray), t_min, None)
     }
 
-    fn hits_on<S: Solver, const C: usize>(&self, line: &Line, t_min: f32) -> Vec<Hit, C> {
+    /// The first is the nearest to the last bit, if that is known, and none before the one before: rounding may put a
+    /// wall before a cap at its rim.
+    fn hits_on<S: Solver, const C: usize>(
+        &self,
+        line: &Line,
+        t_min: f32,
+        nearest: Option<Hit>,
+    ) -> Vec<Hit, C> {
         const {
             assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
         }
-        let mut hits = Vec::new();
+        let mut hits = Vec::<Hit, C>::new();
         let _: Option<()> = walk::<S, _, false>(self.view(), &Path::of(line), t_min, |hit| {
+            let hit = match (hits.last(), nearest) {
+                (None, Some(nearest)) if hit.enters => nearest,
+                (None, _) => hit,
+                (Some(last), _) => Hit { t: greater(last.t, hit.t), ..hit },
+            };
             let _ = hits.push(hit);
             ControlFlow::Continue(())
         });

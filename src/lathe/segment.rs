@@ -47,8 +47,14 @@ impl Cover {
 
     /// With one segment more, beyond a jump.
     const fn and(self, segment: &Segment, jump: f32) -> Self {
-        Self { bulge: self.bulge.max(segment.bulge()), kinks: self.kinks + jump.max(0.0) }
+        let jump = if jump <= 0.0 { 0.0 } else { jump };
+        Self { bulge: larger(self.bulge, segment.bulge()), kinks: self.kinks + jump }
     }
+}
+
+/// The larger of two numbers, or that which is none: what a segment of no height in the frame leaves unknown stays so.
+pub(super) const fn larger(a: f32, b: f32) -> f32 {
+    if a > b || a.is_nan() { a } else { b }
 }
 
 /// A squared radius widened by 2⁻⁹, a thousand times the rounding of anything compared with it.
@@ -96,13 +102,13 @@ impl Segment {
     /// Half the largest second derivative by height: the second derivative of a cubic is largest at an end.
     pub(super) const fn bulge(&self) -> f32 {
         let [_, _, c2, c3] = self.f;
-        c2.max(c2 + 3.0 * c3) * self.per_height * self.per_height
+        larger(c2, c2 + 3.0 * c3) * self.per_height * self.per_height
     }
 
     /// Half the largest second derivative by height, whatever its sign.
     pub(super) const fn curvature(&self) -> f32 {
         let [_, _, c2, c3] = self.f;
-        c2.abs().max((c2 + 3.0 * c3).abs()) * self.per_height * self.per_height
+        larger(c2.abs(), (c2 + 3.0 * c3).abs()) * self.per_height * self.per_height
     }
 
     /// A bound on the first derivative by height, whatever its sign.

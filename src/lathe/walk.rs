@@ -49,6 +49,8 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     {
         return Some(found);
     }
+    // Once one is beyond all that follow are, whatever rounding makes of their t.
+    let mut since = t_min;
     let mut at = enter;
     while let Some(segment) = segments.get(index) {
         let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
@@ -63,10 +65,11 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
                     let Some(s) = chord.crossing::<S>(from, inside) else { break };
                     inside = !inside;
                     let hit = chord.hit(s, inside);
-                    if is_beyond(hit.t, t_min)
-                        && let ControlFlow::Break(found) = meet(hit)
-                    {
-                        return Some(found);
+                    if is_beyond(hit.t, since) {
+                        since = f32::NEG_INFINITY;
+                        if let ControlFlow::Break(found) = meet(hit) {
+                            return Some(found);
+                        }
                     }
                     from = s;
                 }
@@ -80,7 +83,7 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     }
     if inside
         && leave == top
-        && let Some(hit) = cap(frame, path, leave, t_min, !up, false)
+        && let Some(hit) = cap(frame, path, leave, since, !up, false)
         && let ControlFlow::Break(found) = meet(hit)
     {
         return Some(found);

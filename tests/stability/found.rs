@@ -163,6 +163,18 @@ fn an_edge_that_tapers_away() {
     );
 }
 
+/// A segment so low that its knots are one height in the frame, between two that make a crease.
+#[test]
+fn a_segment_of_no_height() {
+    met(
+        &[-1.0, 0.0, 1e-9, 1.5],
+        &[0.125, 0.1167, 0.10833, 0.1, 0.1, 0.1, 0.1, 1.0, 2.0, 3.0],
+        1.0,
+        [0.0, -0.5, -0.1],
+        [1.0, 0.0, 1.0],
+    );
+}
+
 /// A tip whose slope is of no normal size has the axis for its normal: its own, brought to one, was not a number.
 #[test]
 fn a_tip_all_but_without_a_slope() {

@@ -17,7 +17,7 @@
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
 //! (`walk.rs`.) What most rays meet first, if anything, bounds on g tell without that. (`glance.rs`.)
 //!
-//! The rays of a row of pixels are followed together: `run.rs`, `sweep.rs`, `follow.rs`, and what certifies it,
+//! The rays of a row of pixels are followed together: `run.rs`, `sweep.rs`, `follow.rs`, `cap.rs`, and what certifies it,
 //! `first.rs` and `clear.rs`.
 
 mod bound;

@@ -7,7 +7,6 @@ use crate::seldom::seldom;
 use crate::vector::{F32x3, Vector, vector};
 
 /// What a ray sees of the surface.
-#[derive(Clone, Copy)]
 pub(crate) struct Seen {
     /// How far along the ray.
     pub t: f32,

@@ -3,10 +3,11 @@
 //! In the lathe's frame the rays of a row are `P = M + s·D`, M and D linear in the pixel's number i, with s
 //! counted from where the row passes the solid. Pixels are counted from the one whose ray passes nearest to the axis:
 //! from there to the right, and then, [turned](Sweep::turn), to the left. So past a silhouette the rays part from the
-//! solid, and one look tells that the rest sees nothing. A pixel is one of three things, the cheapest asked first:
+//! solid, and one look tells that the rest sees nothing. A pixel is one of four things, the cheapest asked first:
 //!
 //! - **A root, followed** from the last pixel's by Newton's method, one step mostly (`follow.rs`), and
 //!   certified to be the ray's first (`first.rs`).
+//! - **One that sees a cap**, through which its ray comes in (`cap.rs`).
 //! - **One of a run of misses**, certified together ([`Sweep::look`], `clear.rs`).
 //! - **Nothing certain**: within `doubt` of a silhouette, a rim or a cap. Its ray goes alone, as any other.
 
@@ -49,7 +50,7 @@ pub(crate) struct Sweep<'a> {
     /// The largest |dz| and the least q of any ray of the run.
     pub(super) steep: f32,
     pub(super) q: f32,
-    /// Whether they rise, or fall, or, as some do either: neither.
+    /// Whether they rise, or fall; neither, if some do either, or the run is of no use.
     pub(super) rising: Option<bool>,
     /// The largest |∂z/∂i| within the span.
     pub(super) drift: f32,

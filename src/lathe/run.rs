@@ -66,22 +66,28 @@ impl Lathe {
         let is_usable =
             least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25 && frame.steepest < 1e9;
 
-        // Over half the run g must not differ by more than rounding may make it, nor the plane of reflection be farther
-        // from the axis and the ray half way.
-        let lopsided = 8.0 * lopsided(&run, span, drift * frame.steepest);
-        let is_mirrored = is_usable
-            && may_mirror
-            && frame.squash == 1.0
-            && (end - start).is_multiple_of(2)
-            && half * lopsided < rounding
-            && lopsided * lopsided < rounding * rounding * dot(m1, m1);
-        let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
-        let middle = if is_mirrored {
-            start + (end - start) / 2
+        // What is not seen has no middle.
+        let (is_mirrored, middle, height, slope) = if is_far {
+            (false, start, 0.0, 0.0)
         } else {
-            let height = lesser(frame.high, greater(frame.low, height));
-            let pixel = centre + towards(&run, vector([0.0, 0.0, height]));
-            start.max(end.min((pixel + 0.5) as u32))
+            // Over half the run g must not differ by more than rounding may make it, nor the plane of reflection be farther
+            // from the axis and the ray half way.
+            let lopsided = 8.0 * lopsided(&run, span, drift * frame.steepest);
+            let is_mirrored = is_usable
+                && may_mirror
+                && frame.squash == 1.0
+                && (end - start).is_multiple_of(2)
+                && half * lopsided < rounding
+                && lopsided * lopsided < rounding * rounding * dot(m1, m1);
+            let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
+            let middle = if is_mirrored {
+                start + (end - start) / 2
+            } else {
+                let height = lesser(frame.high, greater(frame.low, height));
+                let pixel = centre + towards(&run, vector([0.0, 0.0, height]));
+                start.max(end.min((pixel + 0.5) as u32))
+            };
+            (is_mirrored, middle, height, slope)
         };
         let (origin, direction) = run.at(middle as f32 - centre);
         // Rounding can do as much to a height.

@@ -1,8 +1,9 @@
 //! From pixels to rays.
 
+use crate::math::{Math, Native};
 use crate::ray::Ray;
 use crate::scene_error::SceneError;
-use crate::vector::{F32x3, cross, difference, scale, unit, vector};
+use crate::vector::{F32x3, cross, difference, dot, scale, unit, vector};
 
 /// A camera: perspective or orthographic.
 ///
@@ -92,7 +93,7 @@ impl Camera {
         };
         let right = cross(forward, up);
         // Two unit vectors: what is left of a parallel pair is rounding.
-        if !(crate::vector::dot(right, right) > 1e-12) {
+        if !(dot(right, right) > 1e-12) {
             return Err(SceneError::UpDirection);
         }
         let Some(right) = unit(right) else {
@@ -133,6 +134,33 @@ impl Row<'_> {
     /// The ray of pixel i.
     pub fn ray(&self, i: u32) -> Ray {
         self.camera.ray(i, self.y, self.width, self.height)
+    }
+
+    /// The first column that may see a ball, and the first after that which cannot.
+    ///
+    /// With O a ray's origin as seen from the centre, a line passes through where `R²·D² − (O × D)² ≥ 0`: a parabola over
+    /// the columns, for along a row either O changes or D. Three of them tell it.
+    #[inline(never)]
+    pub fn columns(&self, centre: F32x3, radius: f32) -> (u32, u32) {
+        // A tenth larger, for rounding.
+        let square = 1.25 * radius * radius;
+        let half = self.width / 2;
+        let through = |column| {
+            let Ray { origin, direction, .. } = self.ray(column);
+            let across = cross(difference(origin, centre), direction);
+            square * dot(direction, direction) - dot(across, across)
+        };
+        let (left, middle, right) = (through(0), through(half), through(half + half));
+        // About the middle, in halves: middle + lean·x/2 + bend·x²/2.
+        let (bend, lean) = (left + right - (middle + middle), right - left);
+        if !(bend < 0.0) {
+            return (0, self.width);
+        }
+        // Where the parabola vanishes, in columns; not a number, and so zero, if it does not.
+        let unit = 0.5 * half as f32 / bend;
+        let vertex = half as f32 - unit * lean;
+        let away = unit * Native::sqrt(lean * lean - 8.0 * bend * middle);
+        (self.width.min((vertex + away) as u32), self.width.min((vertex - away + 1.0) as u32))
     }
 
     /// By how much the next pixel's ray differs: its direction, or, if they run side by side, its origin.

@@ -208,6 +208,12 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         View { frame: &self.frame, segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]) }
     }
 
+    /// A ball around it: the height of its centre, on the axis, and its radius, infinite around a sheet.
+    pub(crate) fn ball(&self) -> (f32, f32) {
+        let Frame { middle, size, scale, root_squash, .. } = self.frame;
+        (middle, size / (scale * root_squash))
+    }
+
     /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the
     /// wall, in the lathe's frame; along the axis where that is nothing.
     pub(crate) fn gradient_at(&self, point: F32x3, hit: &Hit) -> F32x3 {

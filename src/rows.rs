@@ -12,7 +12,7 @@ use core::num::NonZeroU32;
 
 /// How many pixels are reckoned at once where a row cannot be: before several solids, for the depths are kept
 /// until all have been seen, and on the way to a display that lends no memory.
-pub(crate) const RUN: usize = 24;
+pub(crate) const RUN: usize = 18;
 
 /// A scene as a picture of so many pixels: reckoned row by row, or pixel by pixel, when asked.
 ///
@@ -75,13 +75,46 @@ impl Picture<'_> {
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
         match self.scene.solids {
             [solid] => self.solid(solid, &row, x, part, &mut []),
-            solids => {
-                for (run, x) in part.chunks_mut(RUN).zip((x..).step_by(RUN)) {
-                    let mut depths = [f32::INFINITY; RUN];
-                    for solid in solids {
-                        self.solid(solid, &row, x, run, &mut depths);
+            solids => self.solids(solids, &row, x, part),
+        }
+    }
+
+    /// Several solids: each by itself where no other may be seen, and in short runs where others may.
+    fn solids<C: Paint>(&self, solids: &[Solid], row: &Row, mut x: u32, part: &mut [C]) {
+        let mut rest = part;
+        while !rest.is_empty() {
+            // As far as the same solids may be seen.
+            let (mut len, mut seen, mut is_shared) = (rest.len(), None, false);
+            for solid in solids {
+                let (first, beyond) = solid.columns(row);
+                let is_before = x < first;
+                let edge = if is_before { first } else { beyond };
+                if x < edge {
+                    len = len.min((edge - x) as usize);
+                    if !is_before {
+                        (seen, is_shared) = (Some(solid), seen.is_some());
                     }
                 }
+            }
+            let Some((run, beyond)) = rest.split_at_mut_checked(len) else {
+                return;
+            };
+            match seen {
+                Some(_) if is_shared => self.shared(solids, row, x, run),
+                Some(solid) => self.solid(solid, row, x, run, &mut []),
+                None => {}
+            }
+            x += len as u32;
+            rest = beyond;
+        }
+    }
+
+    /// Several solids in one place: runs, for the depths are kept until all have been seen.
+    fn shared<C: Paint>(&self, solids: &[Solid], row: &Row, x: u32, part: &mut [C]) {
+        for (run, x) in part.chunks_mut(RUN).zip((x..).step_by(RUN)) {
+            let mut depths = [f32::INFINITY; RUN];
+            for solid in solids {
+                self.solid(solid, row, x, run, &mut depths);
             }
         }
     }
@@ -212,31 +245,22 @@ impl<C: Paint> Canvas<'_, C> {
         let Self { x, y, ref finish, mirrored, ref mut run, ref mut depths } = *self;
         let mut at = (along.column(i) - x) as usize;
         let step = if along.is_turned() { usize::MAX } else { 1 };
-        if let Some(opposite) = mirrored {
-            // A pixel and its mirror image.
-            let both = run.len() - 1;
-            along.follow(i, to, |seen| {
-                let column = x + at as u32;
+        // A pixel and its mirror image, which is nowhere if there is none.
+        let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
+        let opposite = mirrored.unwrap_or(finish.towards);
+        along.follow(i, to, |seen| {
+            let column = x + at as u32;
+            if is_nearest(seen.t, depths.get_mut(at)) {
                 if let Some(pixel) = run.get_mut(at) {
                     *pixel = C::shade(finish.shades::<C>(column, seen, finish.towards), column, y);
                 }
-                let other = both.wrapping_sub(at);
-                if let Some(pixel) = run.get_mut(other) {
-                    *pixel = C::shade(finish.shades::<C>(column, seen, opposite), x + other as u32, y);
+                let at = both.wrapping_sub(at);
+                if let Some(pixel) = run.get_mut(at) {
+                    *pixel = C::shade(finish.shades::<C>(column, seen, opposite), x + at as u32, y);
                 }
-                at += 1;
-            })
-        } else {
-            along.follow(i, to, |seen| {
-                let column = x + at as u32;
-                if let Some(pixel) = run.get_mut(at)
-                    && is_nearest(seen.t, depths.get_mut(at))
-                {
-                    *pixel = C::shade(finish.shades::<C>(column, seen, finish.towards), column, y);
-                }
-                at = at.wrapping_add(step);
-            })
-        }
+            }
+            at = at.wrapping_add(step);
+        })
     }
 }
 

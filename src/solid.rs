@@ -73,6 +73,13 @@ impl<'a> Solid<'a> {
         }
     }
 
+    /// The first column of a row that may see it, and the first after that which cannot.
+    pub(crate) fn columns(&self, row: &Row) -> (u32, u32) {
+        let (height, radius) = self.lathe.ball();
+        let Pose { position, rotation, scale } = &self.pose;
+        row.columns(*position + rotation.apply([0.0, 0.0, height]) * *scale, radius * scale)
+    }
+
     /// The solid as the pixels from `start` to `end` of a row see it; in halves that may be each other's mirror image,
     /// if there is no other solid.
     #[inline(never)]

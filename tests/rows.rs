@@ -175,7 +175,7 @@ fn random_scenes_are_those_of_single_rays() {
 
 #[test]
 fn random_upright_scenes_are_those_of_single_rays() {
-    // Two runs of 24 pixels, where there are two solids.
+    // An even number of columns: a row's halves may be each other's mirror image.
     random_scenes(48, upright_camera);
 }
 

@@ -12,12 +12,13 @@ impl Sweep<'_> {
     pub fn cap(&self, mut i: u32, mut see: impl FnMut(u32, &Seen)) -> u32 {
         let (frame, segments) = (self.lathe.frame, self.lathe.segments);
         let (z, cap, square, up) = match self.rising {
-            Some(true) => (frame.low, frame.base, segments.first().map(|segment| segment.b[0]), -1.0),
-            _ => (frame.high, frame.top, segments.last().map(|segment| segment.b[3]), 1.0),
+            Some(true) => (frame.low, frame.base, segments.first().map_or(0.0, |segment| segment.b[0]), -1.0),
+            Some(false) => (frame.high, frame.top, segments.last().map_or(0.0, |segment| segment.b[3]), 1.0),
+            None => return i,
         };
-        let (Some(_), Some(_), Some(square)) = (self.rising, cap, square) else {
+        if cap.is_none() {
             return i;
-        };
+        }
         while i < self.end {
             let (m, d) = self.rays.at(i as f32);
             let s = (z - m.z) / d.z;

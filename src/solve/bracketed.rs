@@ -5,15 +5,12 @@ use crate::math::Native;
 /// Of Newton's steps and halvings. Halvings alone would take 25.
 const MOST_STEPS: u32 = 64;
 
-/// Of the piece.
-const LAST: f32 = 1.0 / 33_554_432.0;
-
-/// A value of so small a part of its terms is zero, but for rounding.
+/// A value of so small a part of its terms is zero, but for rounding, and a step of so small a part of the piece none.
 const UNIT: f32 = 1.0 / 16_777_216.0;
 
 /// Newton's method in a bracket, no more: a step that leaves it is replaced by its middle.
 ///
-/// The smallest solver, for rays that are seldom asked about. A step of 2⁻²⁵ of the piece is the last.
+/// The smallest solver, for rays that are seldom asked about. A step of 2⁻²⁴ of the piece is none.
 pub(crate) struct Bracketed;
 
 impl Solver for Bracketed {
@@ -22,9 +19,12 @@ impl Solver for Bracketed {
     #[inline(always)]
     fn root(g: &Cubic, piece: &Piece) -> f32 {
         let (mut lo, mut hi) = (piece.lo, piece.hi);
-        let last = LAST * (hi - lo);
-        let mut u = 0.5 * (lo + hi);
+        let last = UNIT * (hi - lo);
+        let mut u = hi;
         for _ in 0..MOST_STEPS {
+            if !(lo < u && u < hi) {
+                u = 0.5 * (lo + hi);
+            }
             let value = g.at(u);
             if value > 0.0 {
                 lo = u;
@@ -33,24 +33,18 @@ impl Solver for Bracketed {
             }
             let step = value / g.slope(u);
             if value.abs() <= UNIT * g.size(u) || step.abs() <= last {
-                break;
+                return u;
             }
             u -= step;
-            if !(lo < u && u < hi) {
-                u = 0.5 * (lo + hi);
-            }
-            if u == lo || u == hi {
-                break;
-            }
         }
-        u
+        hi
     }
 }
 
 #[cfg(test)]
 mod tests {
     extern crate std;
-    use super::{Bracketed, LAST};
+    use super::{Bracketed, UNIT};
     use crate::cubic::Cubic;
     use crate::solve::{BACKWARD_ERROR, DefaultSolver, first_crossing};
     use rand::rngs::ChaCha8Rng;
@@ -81,7 +75,7 @@ mod tests {
             let size = c0.abs() + (c1 * u).abs() + (c2 * u * u).abs() + (c3 * u * u * u).abs();
             // What is left by the last step, of the whole interval at most.
             let slope = (3.0 * c3 * u + 2.0 * c2) * u + c1;
-            let left = f64::from(LAST) * f64::from(hi + 1.0) * slope.abs();
+            let left = f64::from(UNIT) * f64::from(hi + 1.0) * slope.abs();
             worst = worst.max((value.abs() - left) / size * 24_f64.exp2());
             roots += 1;
         }

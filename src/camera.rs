@@ -156,11 +156,11 @@ impl Row<'_> {
         if !(bend < 0.0) {
             return (0, self.width);
         }
-        // Where the parabola vanishes, in columns; not a number, and so zero, if it does not.
+        // The first columns beyond where the parabola vanishes; not a number, and so zero, if it does not.
         let unit = 0.5 * half as f32 / bend;
-        let vertex = half as f32 - unit * lean;
+        let vertex = half as f32 + 1.0 - unit * lean;
         let away = unit * Native::sqrt(lean * lean - 8.0 * bend * middle);
-        (self.width.min((vertex + away) as u32), self.width.min((vertex - away + 1.0) as u32))
+        (self.width.min((vertex + away) as u32), self.width.min((vertex - away) as u32))
     }
 
     /// By how much the next pixel's ray differs: its direction, or, if they run side by side, its origin.

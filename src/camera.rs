@@ -121,6 +121,9 @@ impl Camera {
     }
 }
 
+/// What rounding may leave of a difference of squares, and more.
+const WIDER: f32 = 1.0 + 1.0 / 1024.0;
+
 /// A row of a picture, as the camera sees it.
 #[derive(Clone, Copy)]
 pub(crate) struct Row<'a> {
@@ -159,7 +162,7 @@ impl Row<'_> {
         // The first columns beyond where the parabola vanishes; not a number, and so zero, if it does not.
         let unit = 0.5 * half as f32 / bend;
         let vertex = half as f32 + 1.0 - unit * lean;
-        let away = unit * Native::sqrt(lean * lean - 8.0 * bend * middle);
+        let away = unit * Native::sqrt(WIDER * lean * lean - 8.0 * bend * middle);
         (self.width.min((vertex + away) as u32), self.width.min((vertex - away) as u32))
     }
 

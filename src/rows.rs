@@ -87,13 +87,13 @@ impl Picture<'_> {
             let (mut len, mut seen, mut is_shared) = (rest.len(), None, false);
             for solid in solids {
                 let (first, beyond) = solid.columns(row);
-                let is_before = x < first;
-                let edge = if is_before { first } else { beyond };
+                let mut edge = first;
+                if first <= x && x < beyond {
+                    edge = beyond;
+                    (seen, is_shared) = (Some(solid), seen.is_some());
+                }
                 if x < edge {
                     len = len.min((edge - x) as usize);
-                    if !is_before {
-                        (seen, is_shared) = (Some(solid), seen.is_some());
-                    }
                 }
             }
             let Some((run, beyond)) = rest.split_at_mut_checked(len) else {

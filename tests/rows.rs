@@ -232,3 +232,33 @@ fn a_low_ring_is_that_of_single_rays() {
     assert_eq!((difference.mask, difference.more, difference.one_step), (0, 0, 0), "{difference:?}");
     assert!(difference.covered > 0, "{difference:?}");
 }
+
+/// Balls from a pixel's size down to a hundredth of it, in the way of its ray, beside another solid.
+#[test]
+fn tiny_solids_are_seen() {
+    let (side, mut rng) = (240, ChaCha8Rng::seed_from_u64(1995));
+    let ball = Lathe::turn(Profile::<1>::sphere(1.0).unwrap());
+    let mut row = vec![Rgb565::BLACK; side as usize];
+    let mut seen = 0;
+    for number in 0..4_000 {
+        let camera = if rng.random() { random_camera(&mut rng) } else { upright_camera(&mut rng) };
+        let (x, y) = (rng.random_range(0..side), rng.random_range(0..side));
+        let (ray, next) = (camera.ray(x, y, side, side), camera.ray((x + 1) % side, y, side, side));
+        let t = even(&mut rng, 1.0, 6.0);
+        let [place, beside] = [ray, next].map(|ray| ray.at(t).to_array());
+        let pixel = (0..3).map(|i| (place[i] - beside[i]).powi(2)).sum::<f32>().sqrt().min(0.05);
+        let size = pixel * 10_f32.powf(even(&mut rng, -2.0, 0.0));
+        let tiny = Pose::new(place, Rotation::IDENTITY, size).unwrap();
+        let solids = [
+            Solid::new(&ball, Rgb::WHITE).posed(tiny),
+            Solid::new(&ball, Rgb::WHITE).posed(Pose::new([9.0, 9.0, 9.0], Rotation::IDENTITY, 0.1).unwrap()),
+        ];
+        let light = Light::new([-1.0, -1.0, 1.0], 1.0).unwrap();
+        let scene = Scene { solids: &solids, camera, light, background: BLACK };
+        scene.picture(side, side).row(y, &mut row);
+        let is_hit = solids.iter().any(|solid| solid.nearest(&ray, 0.0).is_some());
+        assert_eq!(row[x as usize] != Rgb565::BLACK, is_hit, "ball {number}, {size} large, at column {x}");
+        seen += usize::from(is_hit);
+    }
+    assert!(seen > 3_000, "{seen}");
+}

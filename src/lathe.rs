@@ -42,7 +42,7 @@ pub(crate) use sweep::Sweep;
 use crate::hit::{Hit, Part};
 use crate::profile::{End, Profile};
 use crate::vector::{F32x3, largest, vector};
-use segment::{larger, power_of_two_for, widened};
+use segment::{Cover, larger, power_of_two_for, widened};
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
 ///
@@ -139,6 +139,12 @@ impl View<'_> {
             count -= half;
         }
         index
+    }
+
+    /// The whole profile's bounds.
+    #[inline(always)]
+    fn all(&self) -> Cover {
+        self.segments.first().map_or(Cover::NONE, |segment| segment.above)
     }
 }
 

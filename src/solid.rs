@@ -196,7 +196,7 @@ impl SolidRow<'_> {
     }
 
     /// What a column's ray sees, found by a walk along it: what the sweep leaves in doubt is decided as what a glance
-    /// does.
+    /// leaves.
     #[inline(never)]
     pub fn alone(&mut self, column: u32) -> Option<Seen> {
         let (ray, lathe) = (self.solid.ray_into(&self.row.ray(column)), self.solid.lathe);

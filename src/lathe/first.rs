@@ -38,7 +38,7 @@ impl Sweep<'_> {
         let Cover { bulge, kinks } = match self.rising {
             Some(true) => self.segment.below,
             Some(false) => self.segment.above,
-            None => self.all(),
+            None => self.lathe.all(),
         };
         if self.is_concave(bulge) {
             First { slope: kinks * self.steep + self.slack, ..First::UNKNOWN }

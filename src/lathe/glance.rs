@@ -14,11 +14,11 @@
 //! be by more; behind a root it must rise above that, as it does where `(A − J)² > 4·doubt·|g″/2|`; and the segment's
 //! ends, and the ray's start, must be farther away.
 
-use super::View;
 use super::line::Line;
 use super::path::flat;
 use super::run::ROUNDING;
 use super::segment::Cover;
+use super::{View, is_beyond};
 use crate::hit::{Hit, Part};
 use crate::math::order::greater;
 use crate::math::{Math, Native};
@@ -50,7 +50,7 @@ impl View<'_> {
         let View { frame, segments } = *self;
         let Line { point: mut p, direction: d, q, mut back, .. } = *line;
         let rise = d.z * d.z;
-        let Cover { bulge, kinks } = segments.first().map_or(Cover::NONE, |segment| segment.above);
+        let Cover { bulge, kinks } = self.all();
         let (jump, curve) = (kinks * d.z.abs(), bulge * rise - q);
         let doubt = ROUNDING * (2.0 + frame.steepest) * (frame.size + back.abs() * (q + rise));
         if !(curve < 0.0 && doubt < MOST_DOUBT) {
@@ -113,10 +113,10 @@ impl View<'_> {
         let is_first = steep > 0.0 && steep * steep > 4.0 * most * doubt;
         let (z, way) = (p.z + s * d.z, s - back);
         let is_within = z - segment.low > doubt && segment.high - z > doubt;
-        let is_beyond = (way - t_min * line.unit) * steep > doubt;
+        let is_ahead = (way - t_min * line.unit) * steep > doubt;
         let u = (z - segment.low) * segment.per_height;
         let t = way / line.unit;
-        if is_first && is_within && is_beyond && super::is_beyond(t, t_min) {
+        if is_first && is_within && is_ahead && is_beyond(t, t_min) {
             Glance::Meets(Hit { t, segment: index, u, enters: true, part: Part::Wall })
         } else {
             Glance::Unclear

@@ -16,7 +16,7 @@ use super::first::First;
 use super::follow::STEPS;
 use super::line::Line;
 use super::path::{Path, flat};
-use super::segment::{Cover, Segment};
+use super::segment::Segment;
 use crate::hit::{Hit, Part};
 use crate::math::order::{greater, lesser};
 use crate::rays::Rays;
@@ -103,11 +103,6 @@ impl Sweep<'_> {
         };
         (self.index, self.segment) = (index, segment);
         true
-    }
-
-    /// The whole profile's bounds.
-    pub(super) fn all(&self) -> Cover {
-        self.lathe.segments.first().map_or(Cover::NONE, |segment| segment.above)
     }
 
     /// After the right half, the left one. Not if that is the mirror image, or if this was it.

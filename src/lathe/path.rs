@@ -61,20 +61,12 @@ impl Path {
     ///
     /// `g = f(u) − (x² + y²) + s·(f′·κ − 2·q·a) + s²·(f″/2·κ² − q) + s³·f₃·κ³`, κ = du/ds = dz/h.
     ///
-    /// No division, whatever the slope; a level path has κ = 0. Apart: it is asked for in many places.
+    /// No division, whatever the slope; a level path has κ = 0.
     #[inline]
     pub fn g_about(&self, segment: &Segment, t: f32) -> Cubic {
-        let u = segment.parameter(self.height(t));
-        let (f, slope) = segment.at(u);
         let (square, pull) = self.around(t);
-        let kappa = self.dz * segment.per_height;
-        let [_, _, f2, f3] = segment.f;
-        Cubic::new([
-            f - square,
-            slope * kappa - 2.0 * pull,
-            (3.0 * f3 * u + f2) * (kappa * kappa) - self.q,
-            f3 * (kappa * kappa * kappa),
-        ])
+        let [f0, f1, f2, f3] = segment.along(segment.parameter(self.height(t)), self.dz);
+        Cubic::new([f0 - square, f1 - 2.0 * pull, f2 - self.q, f3])
     }
 
     /// The square of the distance from the axis, and half its derivative.

@@ -161,18 +161,20 @@ impl Segment {
         (d0 * v + d1 * u, 3.0 * (d1 - d0))
     }
 
+    /// The squared radius at the heights of a ray, in powers of the distance s from where that has the parameter u:
+    /// Taylor's formula, κ = du/ds = dz/h.
+    #[inline(always)]
+    pub(super) fn along(&self, u: f32, dz: f32) -> [f32; 4] {
+        let (f, slope) = self.at(u);
+        let kappa = dz * self.per_height;
+        let [_, _, f2, f3] = self.f;
+        [f, slope * kappa, (3.0 * f3 * u + f2) * (kappa * kappa), f3 * (kappa * kappa * kappa)]
+    }
+
     /// g along `p + s·d`, in powers of s, p at a height of the segment; q = dx² + dy².
     #[inline]
     pub(super) fn g_along(&self, p: F32x3, d: F32x3, q: f32) -> Cubic {
-        let u = (p.z - self.low) * self.per_height;
-        let (f, slope) = self.at(u);
-        let (kappa, pull) = (d.z * self.per_height, flat(p, d));
-        let [_, _, f2, f3] = self.f;
-        Cubic::new([
-            f - flat(p, p),
-            slope * kappa - (pull + pull),
-            (3.0 * f3 * u + f2) * (kappa * kappa) - q,
-            f3 * (kappa * kappa * kappa),
-        ])
+        let [f0, f1, f2, f3] = self.along((p.z - self.low) * self.per_height, d.z);
+        Cubic::new([f0 - flat(p, p), f1 - 2.0 * flat(p, d), f2 - q, f3])
     }
 }

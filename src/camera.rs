@@ -1,6 +1,5 @@
 //! From pixels to rays.
 
-use crate::math::{Math, Native};
 use crate::ray::Ray;
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, cross, difference, dot, scale, unit, vector};
@@ -121,9 +120,6 @@ impl Camera {
     }
 }
 
-/// What rounding may leave of a difference of squares, and more.
-const WIDER: f32 = 1.0 + 1.0 / 1024.0;
-
 /// A row of a picture, as the camera sees it.
 #[derive(Clone, Copy)]
 pub(crate) struct Row<'a> {
@@ -137,33 +133,6 @@ impl Row<'_> {
     /// The ray of pixel i.
     pub fn ray(&self, i: u32) -> Ray {
         self.camera.ray(i, self.y, self.width, self.height)
-    }
-
-    /// The first column that may see a ball, and the first after that which cannot.
-    ///
-    /// With O a ray's origin as seen from the centre, a line passes through where `R²·D² − (O × D)² ≥ 0`: a parabola over
-    /// the columns, for along a row either O changes or D. Three of them tell it.
-    #[inline(never)]
-    pub fn columns(&self, centre: F32x3, radius: f32) -> (u32, u32) {
-        // A tenth larger, for rounding.
-        let square = 1.25 * radius * radius;
-        let half = self.width / 2;
-        let through = |column| {
-            let Ray { origin, direction, .. } = self.ray(column);
-            let across = cross(difference(origin, centre), direction);
-            square * dot(direction, direction) - dot(across, across)
-        };
-        let (left, middle, right) = (through(0), through(half), through(half + half));
-        // About the middle, in halves: middle + lean·x/2 + bend·x²/2.
-        let (bend, lean) = (left + right - (middle + middle), right - left);
-        if !(bend < 0.0) {
-            return (0, self.width);
-        }
-        // The first columns beyond where the parabola vanishes; not a number, and so zero, if it does not.
-        let unit = 0.5 * half as f32 / bend;
-        let vertex = half as f32 + 1.0 - unit * lean;
-        let away = unit * Native::sqrt(WIDER * lean * lean - 8.0 * bend * middle);
-        (self.width.min((vertex + away) as u32), self.width.min((vertex - away) as u32))
     }
 
     /// By how much the next pixel's ray differs: its direction, or, if they run side by side, its origin.

@@ -40,6 +40,7 @@ pub use segment::Segment;
 pub(crate) use sweep::Sweep;
 
 use crate::hit::{Hit, Part};
+use crate::math::constant;
 use crate::profile::{End, Profile};
 use crate::vector::{F32x3, largest, vector};
 use segment::{Cover, larger, power_of_two_for, widened};
@@ -95,14 +96,37 @@ struct Frame {
     reach: f32,
     /// The radius of a ball around all of it.
     size: f32,
+    /// Half its height, and the radius of a cylinder around it, infinite around a sheet, in object space.
+    half_height: f32,
+    radius: f32,
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
     steepest: f32,
     curvature: f32,
-    /// What part of the surface the plane of the lower end holds: nothing if it is open, and the wall itself
-    /// where that closes to a point.
-    base: Option<Part>,
-    /// The same of the upper end.
-    top: Option<Part>,
+    /// The lower end's plane, and the upper one's.
+    base: EndPlane,
+    top: EndPlane,
+}
+
+/// The plane of an end, in the frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct EndPlane {
+    z: f32,
+    /// What part of the surface it holds: nothing if the end is open, and the wall itself where that closes to a point.
+    part: Option<Part>,
+    /// The square of the cap's radius: zero if there is none.
+    cap: f32,
+}
+
+impl EndPlane {
+    /// Given the squared radius there.
+    const fn new(z: f32, square: f32, end: End, cap: Part) -> Self {
+        match end {
+            _ if square == 0.0 => Self { z, part: Some(Part::Wall), cap: 0.0 },
+            End::Capped => Self { z, part: Some(cap), cap: square },
+            End::Open => Self { z, part: None, cap: 0.0 },
+        }
+    }
 }
 
 impl Frame {
@@ -175,20 +199,23 @@ impl<const N: usize> Lathe<[Segment; N]> {
             i += 1;
         }
         let (high, reach) = (segments[len - 1].high, widened(largest * scale * scale));
+        let root_squash = constant::sqrt(profile.squash);
         let frame = Frame {
             len,
             squash: profile.squash,
-            root_squash: crate::math::constant::sqrt(profile.squash),
+            root_squash,
             scale,
             middle,
             low: segments[0].low,
             high,
             reach,
-            size: crate::math::constant::sqrt(reach + high * high),
+            size: constant::sqrt(reach + high * high),
+            half_height: high / scale,
+            radius: constant::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
-            base: plane(segments[0].b[0], profile.base, Part::Base),
-            top: plane(segments[len - 1].b[3], profile.top, Part::Top),
+            base: EndPlane::new(segments[0].low, segments[0].b[0], profile.base, Part::Base),
+            top: EndPlane::new(high, segments[len - 1].b[3], profile.top, Part::Top),
         };
         Self { frame, segments }
     }
@@ -199,25 +226,20 @@ fn is_beyond(t: f32, t_min: f32) -> bool {
     t > t_min && t <= f32::MAX
 }
 
-/// What part of the surface lies in the plane of an end, given the squared radius there.
-const fn plane(square: f32, end: End, cap: Part) -> Option<Part> {
-    match end {
-        _ if square == 0.0 => Some(Part::Wall),
-        End::Capped => Some(cap),
-        End::Open => None,
-    }
-}
-
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[inline(always)]
     fn view(&self) -> View<'_> {
         View { frame: &self.frame, segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]) }
     }
 
-    /// A ball around it: the height of its centre, on the axis, and its radius, infinite around a sheet.
-    pub(crate) fn ball(&self) -> (f32, f32) {
-        let Frame { middle, size, scale, root_squash, .. } = self.frame;
-        (middle, size / (scale * root_squash))
+    /// The height half way up.
+    pub(crate) fn middle(&self) -> f32 {
+        self.frame.middle
+    }
+
+    /// Half the height, and the radius of the cylinder around it, infinite around a sheet.
+    pub(crate) fn cylinder(&self) -> (f32, f32) {
+        (self.frame.half_height, self.frame.radius)
     }
 
     /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the

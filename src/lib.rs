@@ -96,6 +96,7 @@ mod draw;
 mod hit;
 mod lathe;
 mod light;
+mod occlusion;
 mod pose;
 mod profile;
 mod ray;

@@ -137,6 +137,12 @@ impl Rotation {
         times(vector(v), self.rows)
     }
 
+    /// The z axis, turned.
+    pub(crate) const fn axis(&self) -> F32x3 {
+        let [a, b, c] = self.rows;
+        vector([a.z, b.z, c.z])
+    }
+
     /// The vector, turned back.
     #[inline]
     pub(crate) const fn back(&self, v: F32x3) -> F32x3 {

@@ -2,7 +2,8 @@
 
 use crate::vector::F32x3;
 
-/// The rays of a row of pixels, counted from one of them: origin and direction are linear in the pixel's number.
+/// The rays of a row of pixels, counted from one of them, or from between two: origin and direction are linear in the
+/// pixel's number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rays {
     pub origin: F32x3,
@@ -12,14 +13,9 @@ pub(crate) struct Rays {
 }
 
 impl Rays {
-    /// The same, counted the other way round from the pixel before.
+    /// The same, counted the other way round.
     pub fn turned(&self) -> Self {
-        Self {
-            origin: self.origin - self.origin_step,
-            origin_step: self.origin_step * -1.0,
-            direction: self.direction - self.direction_step,
-            direction_step: self.direction_step * -1.0,
-        }
+        Self { origin_step: self.origin_step * -1.0, direction_step: self.direction_step * -1.0, ..*self }
     }
 
     /// Origin and direction of pixel i.

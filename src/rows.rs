@@ -5,13 +5,11 @@ use crate::camera::Row;
 use crate::color::Paint;
 use crate::lathe::{Seen, Stop};
 use crate::scene::Scene;
-use crate::seldom::seldom;
 use crate::solid::{Finish, Solid, SolidRow};
 use crate::vector::F32x3;
 use core::num::NonZeroU32;
 
-/// How many pixels are reckoned at once where a row cannot be: before several solids, for the depths are kept
-/// until all have been seen, and on the way to a display that lends no memory.
+/// How many pixels are reckoned at once on the way to a display that lends no memory.
 pub(crate) const RUN: usize = 18;
 
 /// A scene as a picture of so many pixels: reckoned row by row, or pixel by pixel, when asked.
@@ -74,48 +72,28 @@ impl Picture<'_> {
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
         match self.scene.solids {
-            [solid] => self.solid(solid, &row, x, part, &mut []),
+            [solid] => self.solid(solid, &row, x, part),
             solids => self.solids(solids, &row, x, part),
         }
     }
 
-    /// Several solids: each by itself where no other may be seen, and in short runs where others may.
-    fn solids<C: Paint>(&self, solids: &[Solid], row: &Row, mut x: u32, part: &mut [C]) {
-        let mut rest = part;
-        while !rest.is_empty() {
-            // As far as the same solids may be seen.
-            let (mut len, mut seen, mut is_shared) = (rest.len(), None, false);
-            for solid in solids {
-                let (first, beyond) = solid.columns(row);
-                let mut edge = first;
-                if first <= x && x < beyond {
-                    edge = beyond;
-                    (seen, is_shared) = (Some(solid), seen.is_some());
-                }
-                if x < edge {
-                    len = len.min((edge - x) as usize);
+    /// Several solids, the farthest first: each over those behind it.
+    fn solids<C: Paint>(&self, solids: &[Solid], row: &Row, x: u32, part: &mut [C]) {
+        let (mut last, mut last_index) = (u32::MAX, 0);
+        for _ in solids {
+            let mut next: Option<(u32, usize, &Solid)> = None;
+            for (index, solid) in solids.iter().enumerate() {
+                let distance = row.camera.distance(solid);
+                let is_left = distance < last || distance == last && index > last_index;
+                if is_left && next.is_none_or(|(farthest, ..)| farthest < distance) {
+                    next = Some((distance, index, solid));
                 }
             }
-            let Some((run, beyond)) = rest.split_at_mut_checked(len) else {
+            let Some((distance, index, solid)) = next else {
                 return;
             };
-            match seen {
-                Some(_) if is_shared => self.shared(solids, row, x, run),
-                Some(solid) => self.solid(solid, row, x, run, &mut []),
-                None => {}
-            }
-            x += len as u32;
-            rest = beyond;
-        }
-    }
-
-    /// Several solids in one place: runs, for the depths are kept until all have been seen.
-    fn shared<C: Paint>(&self, solids: &[Solid], row: &Row, x: u32, part: &mut [C]) {
-        for (run, x) in part.chunks_mut(RUN).zip((x..).step_by(RUN)) {
-            let mut depths = [f32::INFINITY; RUN];
-            for solid in solids {
-                self.solid(solid, row, x, run, &mut depths);
-            }
+            self.solid(solid, row, x, part);
+            (last, last_index) = (distance, index);
         }
     }
 
@@ -128,16 +106,20 @@ impl Picture<'_> {
         }
     }
 
-    /// A solid, where it is nearer than what is there. A lone one needs no depths.
+    /// A solid, over what is there.
     #[inline(never)]
-    fn solid<C: Paint>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depths: &mut [f32]) {
-        let mut along = solid.along(row, x, x + run.len() as u32, depths.is_empty());
+    fn solid<C: Paint>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C]) {
+        let mut along = solid.along(row, x, x + run.len() as u32);
         if along.is_far() {
             return;
         }
+        let among = self.scene.among(solid);
+        if among.len() > 1 {
+            along.share();
+        }
         let finish = solid.finish::<C>(row, &self.scene.light);
         let mirrored = along.mirrored(finish.towards);
-        let mut canvas = Canvas { finish, mirrored, x, y: row.y, run, depths };
+        let mut canvas = Canvas { finish, mirrored, x, y: row.y, run, among };
         canvas.outwards(&mut along);
         if along.turn() {
             canvas.outwards(&mut along);
@@ -175,8 +157,8 @@ struct Canvas<'a, C> {
     x: u32,
     y: u32,
     run: &'a mut [C],
-    /// Where there are several solids, how far away what the pixels show is.
-    depths: &'a mut [f32],
+    /// The solid, or, if another may be nearer, all of them.
+    among: &'a [Solid<'a>],
 }
 
 impl<C: Paint> Canvas<'_, C> {
@@ -191,20 +173,18 @@ impl<C: Paint> Canvas<'_, C> {
                 i = next;
                 continue;
             }
-            let next = self.cap(along, i);
-            if next > i {
+            let cap = along.cap(i);
+            if cap.is_none()
+                && let Some(next) = along.look(i)
+            {
                 i = next;
                 continue;
             }
-            if let Some(next) = along.look(i) {
-                i = next;
-                continue;
-            }
-            // The mirror image's own ray, too; this one last, for where it meets the solid the next one may.
+            // The mirror image, too; its own ray last, for where that meets the solid the next one may.
             let own = along.column(i);
             let mut column = if self.mirrored.is_some() { along.opposite(i) } else { own };
             loop {
-                if let Some(seen) = along.alone(column) {
+                if let Some(seen) = cap.or_else(|| along.alone(column, self.among)) {
                     self.put(column, &seen);
                 }
                 if column == own {
@@ -216,24 +196,11 @@ impl<C: Paint> Canvas<'_, C> {
         }
     }
 
-    /// What the rays from i on see that come in through a cap. The first that does not is the one returned.
-    #[inline(never)]
-    fn cap(&mut self, along: &SolidRow, i: u32) -> u32 {
-        along.cap(i, |i, seen| {
-            if self.mirrored.is_some() {
-                self.put(along.opposite(i), seen);
-            }
-            self.put(along.column(i), seen);
-        })
-    }
-
     /// What a column's ray sees.
     #[inline(never)]
     fn put(&mut self, column: u32, seen: &Seen) {
         let at = (column - self.x) as usize;
-        if let Some(pixel) = self.run.get_mut(at)
-            && is_nearest(seen.t, self.depths.get_mut(at))
-        {
+        if let Some(pixel) = self.run.get_mut(at) {
             *pixel = C::shade(self.finish.shades::<C>(column, seen, self.finish.towards), column, self.y);
         }
     }
@@ -242,7 +209,7 @@ impl<C: Paint> Canvas<'_, C> {
     /// on the stack are not needed where rays go alone.
     #[inline(never)]
     fn follow(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
-        let Self { x, y, ref finish, mirrored, ref mut run, ref mut depths } = *self;
+        let Self { x, y, ref finish, mirrored, ref mut run, .. } = *self;
         let mut at = (along.column(i) - x) as usize;
         let step = if along.is_turned() { usize::MAX } else { 1 };
         // A pixel and its mirror image, which is nowhere if there is none.
@@ -250,32 +217,16 @@ impl<C: Paint> Canvas<'_, C> {
         let opposite = mirrored.unwrap_or(finish.towards);
         along.follow(i, to, |seen| {
             let column = x + at as u32;
-            if is_nearest(seen.t, depths.get_mut(at)) {
-                if let Some(pixel) = run.get_mut(at) {
-                    *pixel = C::shade(finish.shades::<C>(column, seen, finish.towards), column, y);
-                }
-                let at = both.wrapping_sub(at);
-                if let Some(pixel) = run.get_mut(at) {
-                    *pixel = C::shade(finish.shades::<C>(column, seen, opposite), x + at as u32, y);
-                }
+            if let Some(pixel) = run.get_mut(at) {
+                *pixel = C::shade(finish.shades::<C>(column, seen, finish.towards), column, y);
+            }
+            let at_opposite = both.wrapping_sub(at);
+            if let Some(pixel) = run.get_mut(at_opposite) {
+                *pixel = C::shade(finish.shades::<C>(column, seen, opposite), x + at_opposite as u32, y);
             }
             at = at.wrapping_add(step);
         })
     }
-}
-
-/// Whether what is so far away is nearer than what is there, and takes its place. Nothing is there of a lone solid.
-#[inline(always)]
-fn is_nearest(t: f32, depth: Option<&mut f32>) -> bool {
-    let Some(depth) = depth else {
-        return true;
-    };
-    seldom();
-    let is_nearer = t < *depth;
-    if is_nearer {
-        *depth = t;
-    }
-    is_nearer
 }
 
 /// The pixels of a rectangle of a picture, in the order a display takes them. One run is kept; skipping costs

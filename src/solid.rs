@@ -12,6 +12,7 @@ use crate::rays::Rays;
 use crate::solve::Bracketed;
 use crate::surface::Surface;
 use crate::vector::{F32x3, Vector, largest, vector};
+use core::ptr::from_ref;
 
 /// A turned solid at its place in the world: what it is, where it is, what it looks like.
 ///
@@ -73,17 +74,39 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The first column of a row that may see it, and the first after that which cannot.
-    pub(crate) fn columns(&self, row: &Row) -> (u32, u32) {
-        let (height, radius) = self.lathe.ball();
-        let Pose { position, rotation, scale } = &self.pose;
-        row.columns(*position + rotation.apply([0.0, 0.0, height]) * *scale, radius * scale)
+    /// The middle of it, in the world.
+    pub(crate) fn centre(&self) -> F32x3 {
+        let Pose { position, scale, .. } = &self.pose;
+        *position + self.axis() * (self.lathe.middle() * scale)
     }
 
-    /// The solid as the pixels from `start` to `end` of a row see it; in halves that may be each other's mirror image,
-    /// if there is no other solid.
+    /// The direction of its axis, of unit length.
+    pub(crate) fn axis(&self) -> F32x3 {
+        self.pose.rotation.axis()
+    }
+
+    /// Half the height and the radius of the cylinder around it, in the world.
+    pub(crate) fn cylinder(&self) -> (f32, f32) {
+        let (half_height, radius) = self.lathe.cylinder();
+        (half_height * self.pose.scale, radius * self.pose.scale)
+    }
+
+    /// What a column's ray meets and sees of it, found by a walk along it: what a sweep leaves in doubt is decided as what a
+    /// glance leaves.
     #[inline(never)]
-    pub(crate) fn along<'s>(&'s self, row: &'s Row, start: u32, end: u32, is_lone: bool) -> SolidRow<'s> {
+    fn seen(&self, row: &Row, column: u32) -> Option<(Hit, Seen)> {
+        let ray = self.ray_into(&row.ray(column));
+        let hit = self.lathe.nearest_by::<Bracketed>(&ray, 0.0)?;
+        let gradient = self.lathe.gradient_at(ray.at(hit.t), &hit);
+        // Very flat or very tall profiles have gradients whose squares are not numbers.
+        let gradient = gradient * (1.0 / largest(gradient));
+        let seen = Seen::new(gradient, if hit.enters { 1.0 } else { -1.0 });
+        Some((hit, seen))
+    }
+
+    /// The solid as the pixels from `start` to `end` of a row see it.
+    #[inline(never)]
+    pub(crate) fn along<'s>(&'s self, row: &'s Row, start: u32, end: u32) -> SolidRow<'s> {
         let Ray { origin, direction, unit } = self.ray_into(&row.ray(0));
         let (step, projection) = row.step();
         let (step, none) = (self.pose.rotation.back(step), vector([0.0; 3]));
@@ -92,7 +115,7 @@ impl<'a> Solid<'a> {
             Projection::Orthographic => (step * unit, none),
         };
         let rays = Rays { origin, origin_step, direction, direction_step };
-        let sweep = self.lathe.sweep(&rays, unit, (start, end), is_lone);
+        let sweep = self.lathe.sweep(&rays, unit, (start, end));
         SolidRow { solid: self, row, sweep }
     }
 
@@ -129,6 +152,11 @@ impl SolidRow<'_> {
     /// Whether nothing of it is seen.
     pub fn is_far(&self) -> bool {
         self.sweep.is_far
+    }
+
+    /// Another solid may be nearer.
+    pub fn share(&mut self) {
+        self.sweep.share();
     }
 
     /// How many pixels there are: from the middle of what is seen to the right, or, turned, to the left.
@@ -184,9 +212,9 @@ impl SolidRow<'_> {
     }
 
     /// As [`Sweep::cap`].
-    #[inline(always)]
-    pub fn cap(&self, i: u32, see: impl FnMut(u32, &Seen)) -> u32 {
-        self.sweep.cap(i, see)
+    #[inline(never)]
+    pub fn cap(&self, i: u32) -> Option<Seen> {
+        self.sweep.cap(i)
     }
 
     /// As [`Sweep::look`]. Apart, as `alone` is: their stacks are not both needed.
@@ -195,17 +223,24 @@ impl SolidRow<'_> {
         self.sweep.look(i)
     }
 
-    /// What a column's ray sees, found by a walk along it: what the sweep leaves in doubt is decided as what a glance
-    /// leaves.
+    /// What a column's ray sees of this solid, if it is the first of the nearest of these.
     #[inline(never)]
-    pub fn alone(&mut self, column: u32) -> Option<Seen> {
-        let (ray, lathe) = (self.solid.ray_into(&self.row.ray(column)), self.solid.lathe);
-        let hit = lathe.nearest_by::<Bracketed>(&ray, 0.0)?;
-        self.sweep.found(&hit);
-        let gradient = lathe.gradient_at(ray.at(hit.t), &hit);
-        // Very flat or very tall profiles have gradients whose squares are not numbers.
-        let gradient = gradient * (1.0 / largest(gradient));
-        Some(Seen::new(hit.t, gradient, if hit.enters { 1.0 } else { -1.0 }))
+    pub fn alone(&mut self, column: u32, solids: &[Solid]) -> Option<Seen> {
+        let (mut nearest, mut seen_of_this) = (f32::INFINITY, None);
+        for solid in solids {
+            let Some((hit, seen)) = solid.seen(self.row, column) else {
+                continue;
+            };
+            let is_this = from_ref(solid).addr() == from_ref(self.solid).addr();
+            if is_this {
+                self.sweep.found(&hit);
+            }
+            if hit.t < nearest {
+                nearest = hit.t;
+                seen_of_this = is_this.then_some(seen);
+            }
+        }
+        seen_of_this
     }
 }
 

@@ -31,6 +31,11 @@ pub(crate) const fn cross(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x])
 }
 
+/// The sum of the components' magnitudes: no less than the length.
+pub(crate) const fn one_norm(v: F32x3) -> f32 {
+    v.x.abs() + v.y.abs() + v.z.abs()
+}
+
 /// The largest magnitude among the components.
 pub(crate) const fn largest(v: F32x3) -> f32 {
     greater(greater(v.x.abs(), v.y.abs()), v.z.abs())

@@ -141,12 +141,16 @@ fn shows_the_vase<S: Solver>() {
 
 over_every_backend!(shows_the_vase);
 
-/// As many random scenes as `SCENES` says, or two hundred, each seen by such a camera: rows against single rays.
+/// As many as `SCENES` says, or two hundred.
+fn number_of_scenes() -> u32 {
+    std::env::var("SCENES").map_or(200, |number| number.parse().expect("a number"))
+}
+
+/// So many random scenes, each seen by such a camera: rows against single rays.
 fn random_scenes(side: u32, camera: impl Fn(&mut ChaCha8Rng) -> Camera) {
-    let scenes = std::env::var("SCENES").map_or(200, |number| number.parse().expect("a number"));
     let mut rng = ChaCha8Rng::seed_from_u64(1995);
     let mut difference = Difference::default();
-    for number in 0..scenes {
+    for number in 0..number_of_scenes() {
         let lathes = [random_lathe(&mut rng), random_lathe(&mut rng)];
         let turn = Rotation::about([even(&mut rng, -1.0, 1.0), 0.3, 0.5], even(&mut rng, -3.0, 3.0)).unwrap();
         let away = Pose::new([even(&mut rng, -1.0, 1.0), 0.2, 0.1], turn, even(&mut rng, 0.3, 1.5)).unwrap();
@@ -177,6 +181,66 @@ fn random_scenes_are_those_of_single_rays() {
 fn random_upright_scenes_are_those_of_single_rays() {
     // An even number of columns: a row's halves may be each other's mirror image.
     random_scenes(48, upright_camera);
+}
+
+/// Solids around the axis and one above another over a wide disc, some upright: painted one over the other where planes
+/// part them, compared where none does, and hidden by the disc from below, though that reaches farther away.
+#[test]
+fn solids_apart_are_those_of_single_rays() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1995);
+    let colours = [
+        Rgb::WHITE,
+        Rgb::new(0.9, 0.5, 0.3),
+        Rgb::new(0.2, 0.9, 0.4),
+        Rgb::new(0.3, 0.4, 0.9),
+        Rgb::gray(0.5),
+    ];
+    let disc = Lathe::turn(Profile::<1>::cylinder(2.0, 0.05).unwrap());
+    let mut difference = Difference::default();
+    for number in 0..number_of_scenes() {
+        let lathes: [_; 4] = core::array::from_fn(|_| random_lathe(&mut rng));
+        let solids: [_; 5] = core::array::from_fn(|i| {
+            let Some(lathe) = lathes.get(i) else {
+                let below = Pose::new([0.0, 0.0, -1.2], Rotation::IDENTITY, 1.0);
+                return Solid::new(&disc, colours[i]).posed(below.unwrap());
+            };
+            let [x, y, z] = [[0.7, 0.1, 0.0], [-0.4, 0.6, 0.1], [-0.3, -0.7, 0.0], [-0.4, 0.6, 0.9]][i];
+            let upright = Rotation::about_z(even(&mut rng, -3.0, 3.0));
+            let lean = if rng.random() { 0.0 } else { even(&mut rng, -1.5, 1.5) };
+            let pose = Pose::new([x, y, z], upright.then(Rotation::about_x(lean)), even(&mut rng, 0.1, 0.5));
+            Solid::new(lathe, colours[i]).posed(pose.unwrap())
+        });
+        let camera = if rng.random() { random_camera(&mut rng) } else { upright_camera(&mut rng) };
+        let (towards, ambient) = ([even(&mut rng, -1.0, 1.0), -1.0, 0.5], 0.2);
+        let light = Light::new(towards, ambient).unwrap();
+        let scene = Scene { solids: &solids, camera, light, background: BLACK };
+        let known = Known { scene, colours: &colours, towards, ambient };
+        difference.add(&known, 60, &format!("scene {number}"));
+    }
+    difference.assert_none();
+}
+
+/// Of two in the same place the first is seen.
+#[test]
+fn the_first_of_two_in_one_place_is_seen() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1995);
+    let mut row = [Rgb565::BLACK; 60];
+    let mut seen = 0;
+    for number in 0..20 {
+        let lathe = random_lathe(&mut rng);
+        let colours = [Rgb::new(0.0, 1.0, 0.0), Rgb::new(1.0, 0.0, 0.0)];
+        let solids = colours.map(|colour| Solid::new(&lathe, colour));
+        let light = Light::new([0.0, -1.0, 0.5], 1.0).unwrap();
+        let scene = Scene { solids: &solids, camera: random_camera(&mut rng), light, background: BLACK };
+        for y in 0..60 {
+            scene.picture(60, 60).row(y, &mut row);
+            let first = row.iter().filter(|pixel| **pixel == Rgb565::GREEN).count();
+            let none = row.iter().filter(|pixel| **pixel == Rgb565::BLACK).count();
+            assert_eq!(first + none, 60, "scene {number}, row {y}: {row:?}");
+            seen += first;
+        }
+    }
+    assert!(seen > 10_000, "{seen}");
 }
 
 /// Rays exactly level in rows that are not, views from straight above, and pictures of next to nothing of a solid.

@@ -27,13 +27,16 @@ type Row = [display::Color; WIDTH as usize];
 
 const BLANK: Row = [display::BLANK; WIDTH as usize];
 
-const SCENES: [(&str, &Scene); 6] = [
+const SCENES: [(&str, &Scene); 9] = [
     ("vase", &scenes::VASE_SCENE),
     ("tilted vase", &scenes::TILTED_SCENE),
     ("still life", &scenes::STILL_LIFE),
     ("inside", &scenes::INSIDE_SCENE),
     ("knob", &scenes::KNOB_SCENE),
     ("vase of 64 segments", &scenes::fine::SCENE),
+    ("ball", &scenes::BALL_SCENE),
+    ("vase and ball", &scenes::VASE_AND_BALL),
+    ("ball in bowl", &scenes::BALL_IN_BOWL),
 ];
 
 /// Columns and rows of all pixels.

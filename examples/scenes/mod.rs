@@ -128,6 +128,31 @@ pub static STILL_LIFE: Scene = Scene {
     background: SKY,
 };
 
+const CORNER_BALL: Solid = Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3)).posed(valid!(Pose::new(
+    [-0.53, 0.0, 0.92],
+    Rotation::IDENTITY,
+    0.35
+)));
+
+/// A ball in a corner of the vase's picture, without the vase.
+pub static BALL_SCENE: Scene = Scene { solids: &[CORNER_BALL], ..VASE_SCENE };
+
+/// With the vase.
+pub static VASE_AND_BALL: Scene = Scene { solids: &[Solid::new(&VASE, CLAY), CORNER_BALL], ..VASE_SCENE };
+
+/// A ball in the bowl: no plane parts them.
+pub static BALL_IN_BOWL: Scene = Scene {
+    solids: &[
+        Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30),
+        Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3)).posed(valid!(Pose::new(
+            [0.1, 0.1, 0.3],
+            Rotation::IDENTITY,
+            1.0
+        ))),
+    ],
+    ..INSIDE_SCENE
+};
+
 /// All of them, and what their pictures in `docs` are called.
 pub static NAMED: [(&str, &Scene); 5] = [
     ("vase", &VASE_SCENE),

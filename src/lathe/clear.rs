@@ -95,7 +95,7 @@ pub(super) struct Pace {
 impl Pace {
     /// From the i-th ray on, at the heights that it has between two points.
     pub fn of(sweep: &Sweep, i: u32, (from, to): (f32, f32)) -> Self {
-        let (m, d) = sweep.rays.at(i as f32);
+        let (m, d) = sweep.ray(i);
         let (m1, d1) = (sweep.rays.origin_step, sweep.rays.direction_step);
         // The point of height z moves by as much as the ray does, and along it so far that z stays.
         let (per_dz, level) = if sweep.drift > 0.0 {

@@ -59,8 +59,8 @@ impl Sweep<'_> {
     pub(super) fn certify(&mut self, i: u32) -> bool {
         let (path, segment, sign) = (self.path(i), self.segment, self.sign);
         let frame = self.lathe.frame;
-        let end = if path.rises() { frame.base } else { frame.top };
-        if sign < 0.0 && end.is_some() {
+        let end = if path.rises() { &frame.base } else { &frame.top };
+        if sign < 0.0 && end.part.is_some() {
             return false;
         }
         let (near, far) = self.reach(&path);

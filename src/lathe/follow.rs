@@ -7,9 +7,8 @@ use crate::seldom::seldom;
 use crate::vector::{F32x3, Vector, vector};
 
 /// What a ray sees of the surface.
+#[derive(Clone, Copy)]
 pub(crate) struct Seen {
-    /// How far along the ray.
-    pub t: f32,
     /// A vector along the outward normal, in object space.
     pub gradient: F32x3,
     /// One over its length; negative where the ray leaves the solid, and sees the wall's other side.
@@ -19,8 +18,8 @@ pub(crate) struct Seen {
 impl Seen {
     /// Given 1 where the ray enters the solid, −1 where it leaves it.
     #[inline(always)]
-    pub fn new(t: f32, gradient: F32x3, sign: f32) -> Self {
-        Self { t, gradient, per_length: sign * inverse_root(gradient.dot(gradient)) }
+    pub fn new(gradient: F32x3, sign: f32) -> Self {
+        Self { gradient, per_length: sign * inverse_root(gradient.dot(gradient)) }
     }
 }
 
@@ -55,7 +54,7 @@ impl Sweep<'_> {
     pub fn follow(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen)) -> (u32, Stop) {
         let segment = self.segment;
         let own = |v: F32x3, from: f32| vector([v.x, v.y, (v.z - from) * segment.per_height]);
-        let (m, d) = self.rays.at(i as f32);
+        let (m, d) = self.ray(i);
         let (mut m, mut d) = (own(m, segment.low), own(d, 0.0));
         let (m1, d1) = (own(self.rays.origin_step, 0.0), own(self.rays.direction_step, 0.0));
         let [c0, c1, c2, c3] = segment.f;
@@ -108,8 +107,7 @@ impl Sweep<'_> {
                     break 'pixels;
                 }
                 let e = (e2 * u + e1) * u + e0;
-                let t = (self.shift + s) * self.per_unit;
-                see(&Seen::new(t, vector([root_squash * x, y, e]), sign));
+                see(&Seen::new(vector([root_squash * x, y, e]), sign));
                 break;
             }
             // As far again, and by how much that grew again.

@@ -10,7 +10,7 @@ use super::sweep::Sweep;
 use crate::math::order::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::rays::Rays;
-use crate::vector::{F32x3, cross, dot, vector};
+use crate::vector::{F32x3, cross, dot, one_norm, vector};
 
 /// In units of the frame, where the largest radius is between 1 and 2: what silhouettes are left in doubt.
 const DOUBT: f32 = 1.0 / 4096.0;
@@ -22,16 +22,9 @@ pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 const ROOT: f32 = 1.0 / 2_097_152.0;
 
 impl Lathe {
-    /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own. The halves of
-    /// a run may be each other's mirror image only if that may be used.
+    /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own.
     #[inline(always)]
-    pub(crate) fn sweep(
-        &self,
-        rays: &Rays,
-        unit: f32,
-        (start, end): (u32, u32),
-        may_mirror: bool,
-    ) -> Sweep<'_> {
+    pub(crate) fn sweep(&self, rays: &Rays, unit: f32, (start, end): (u32, u32)) -> Sweep<'_> {
         let lathe = self.view();
         let frame = lathe.frame;
         let (d, d1) = (frame.squashed(rays.direction), frame.squashed(rays.direction_step));
@@ -54,7 +47,6 @@ impl Lathe {
         let across = half * (dot(mc, d1) + dot(m1, dc)).abs() + half * half * dot(m1, d1).abs();
         let span = (across / length + frame.size) / length;
         // So where one of them is within the ball, the one half way is within a larger one, by how far they are apart.
-        let one_norm = |v: F32x3| v.x.abs() + v.y.abs() + v.z.abs();
         let near = 1.125 * frame.size + half * (one_norm(m1) + span * one_norm(d1));
         let is_far = dot(mc, mc) > near * near;
         let q = flat(dc, dc) - 2.0 * half * flat(dc, d1).abs();
@@ -66,20 +58,23 @@ impl Lathe {
         let is_usable =
             least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25 && frame.steepest < 1e9;
 
+        // Rounding can do as much to a height.
+        let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
+        let slope = slope + ROUNDING * distance;
+        let (low, high) = (greater(frame.low, height - slope), lesser(frame.high, height + slope));
+        let is_far = is_far || is_usable && low > high;
         // What is not seen has no middle.
-        let (is_mirrored, middle, height, slope) = if is_far {
-            (false, start, 0.0, 0.0)
+        let (is_mirrored, middle) = if is_far {
+            (false, start)
         } else {
             // Over half the run g must not differ by more than rounding may make it, nor the plane of reflection be farther
             // from the axis and the ray half way.
             let lopsided = 8.0 * lopsided(&run, span, drift * frame.steepest);
             let is_mirrored = is_usable
-                && may_mirror
                 && frame.squash == 1.0
                 && (end - start).is_multiple_of(2)
                 && half * lopsided < rounding
                 && lopsided * lopsided < rounding * rounding * dot(m1, m1);
-            let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
             let middle = if is_mirrored {
                 start + (end - start) / 2
             } else {
@@ -87,17 +82,16 @@ impl Lathe {
                 let pixel = centre + towards(&run, vector([0.0, 0.0, height]));
                 start.max(end.min((pixel + 0.5) as u32))
             };
-            (is_mirrored, middle, height, slope)
+            (is_mirrored, middle)
         };
-        let (origin, direction) = run.at(middle as f32 - centre);
-        // Rounding can do as much to a height.
-        let slope = slope + ROUNDING * distance;
+        let (origin, direction) = run.at(middle as f32 - 0.5 - centre);
         // No ray of a usable run is longer than three halves of the one half way.
         let longest = 2.25 * square;
         Sweep {
             lathe,
             is_far,
             is_usable,
+            may_follow: is_usable,
             rays: Rays { origin, direction, ..run },
             shift,
             per_unit: 1.0 / (frame.scale * unit),
@@ -107,8 +101,8 @@ impl Lathe {
             is_mirrored,
             is_turned: false,
             span,
-            low: greater(frame.low, height - slope),
-            high: lesser(frame.high, height + slope),
+            low,
+            high,
             steep,
             rising: (is_usable && dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
             q,

@@ -29,7 +29,9 @@ pub(crate) struct Sweep<'a> {
     pub is_far: bool,
     /// Not if the rays spread too wide, or begin too near the solid, for what they share to be of use.
     pub(super) is_usable: bool,
-    /// M and D, in the frame, x scaled by √k.
+    /// Not if another solid may be nearer, either.
+    pub(super) may_follow: bool,
+    /// M and D, in the frame, x scaled by √k, counted from half a pixel before the first one.
     pub(super) rays: Rays,
     /// Where s = 0 is on the rays; that times `per_unit` is a distance along them.
     pub(super) shift: f32,
@@ -50,7 +52,7 @@ pub(crate) struct Sweep<'a> {
     /// The largest |dz| and the least q of any ray of the run.
     pub(super) steep: f32,
     pub(super) q: f32,
-    /// Whether they rise, or fall; neither, if some do either, or the run is of no use.
+    /// Whether they rise, or fall; neither, if some do either, or nothing may be followed.
     pub(super) rising: Option<bool>,
     /// The largest |∂z/∂i| within the span.
     pub(super) drift: f32,
@@ -81,9 +83,14 @@ pub(crate) struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
+    /// M and D of the i-th ray.
+    pub(super) fn ray(&self, i: u32) -> (F32x3, F32x3) {
+        self.rays.at(i as f32 + 0.5)
+    }
+
     /// The i-th ray.
     pub(super) fn path(&self, i: u32) -> Path {
-        let (point, direction) = self.rays.at(i as f32);
+        let (point, direction) = self.ray(i);
         Path::of(&Line { point, direction, q: flat(direction, direction), back: 0.0, unit: 1.0 })
     }
 
@@ -103,6 +110,11 @@ impl Sweep<'_> {
         };
         (self.index, self.segment) = (index, segment);
         true
+    }
+
+    /// From now on nothing but that a ray misses is told here.
+    pub fn share(&mut self) {
+        (self.may_follow, self.is_mirrored, self.rising) = (false, false, None);
     }
 
     /// After the right half, the left one. Not if that is the mirror image, or if this was it.
@@ -134,7 +146,7 @@ impl Sweep<'_> {
     /// There is a root near s in that segment to follow from the next pixel asked for on.
     pub(super) fn begin(&mut self, index: usize, s: f32, sign: f32) {
         (self.sign, self.s, self.step, self.bend, self.tries) = (sign, s, 0.0, 0.0, STEPS);
-        (self.index, self.first.until, self.following) = (index, 0, self.is_usable);
+        (self.index, self.first.until, self.following) = (index, 0, self.may_follow);
     }
 
     /// A ray gone alone meets the lathe here: there the next one's root is looked for.

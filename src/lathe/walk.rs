@@ -94,7 +94,8 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
 /// The hit in the plane of an end, if part of the surface is there, beyond `t_min`.
 #[inline(never)]
 fn cap(frame: &Frame, path: &Path, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
-    let (segment, u, part) = if low { (0, 0.0, frame.base) } else { (frame.len - 1, 1.0, frame.top) };
+    let (segment, u, part) =
+        if low { (0, 0.0, frame.base.part) } else { (frame.len - 1, 1.0, frame.top.part) };
     let hit = Hit { t: path.distance(t), segment, u, enters, part: part? };
     is_beyond(hit.t, t_min).then_some(hit)
 }

@@ -36,9 +36,8 @@ impl Light {
         }
     }
 
-    /// The share of white that a shiny surface adds, given n·l, n·v and l·v.
-    pub(crate) fn highlight(shininess: u8, nl: f32, nv: f32, lv: f32) -> f32 {
-        let mirrored = 2.0 * nl * nv - lv;
+    /// The share of white that a shiny surface adds, given r·v, and n·l of any length.
+    pub(crate) fn highlight(shininess: u8, nl: f32, mirrored: f32) -> f32 {
         if nl > 0.0 && mirrored > 0.0 { 0.5 * power(mirrored, shininess) } else { 0.0 }
     }
 }

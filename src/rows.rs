@@ -5,7 +5,7 @@ use crate::camera::Row;
 use crate::color::Paint;
 use crate::lathe::{Seen, Stop};
 use crate::scene::Scene;
-use crate::solid::{Finish, Solid, SolidRow};
+use crate::solid::{Finish, Solid, SolidRow, Views};
 use crate::vector::F32x3;
 use core::num::NonZeroU32;
 
@@ -117,7 +117,7 @@ impl Picture<'_> {
         if among.len() > 1 {
             along.share();
         }
-        let finish = solid.finish::<C>(row, &self.scene.light);
+        let finish = solid.finish::<C>(&self.scene.light);
         let mirrored = along.mirrored(finish.towards);
         let mut canvas = Canvas { finish, mirrored, x, y: row.y, run, among };
         canvas.outwards(&mut along);
@@ -151,7 +151,7 @@ impl Picture<'_> {
 
 /// Pixels that a solid is painted on, from column x of row y on.
 struct Canvas<'a, C> {
-    finish: Finish<'a>,
+    finish: Finish,
     /// If the left half sees the right one's mirror image: that of the light.
     mirrored: Option<F32x3>,
     x: u32,
@@ -185,7 +185,7 @@ impl<C: Paint> Canvas<'_, C> {
             let mut column = if self.mirrored.is_some() { along.opposite(i) } else { own };
             loop {
                 if let Some(seen) = cap.or_else(|| along.alone(column, self.among)) {
-                    self.put(column, &seen);
+                    self.put(column, &seen, &along.views);
                 }
                 if column == own {
                     break;
@@ -198,10 +198,11 @@ impl<C: Paint> Canvas<'_, C> {
 
     /// What a column's ray sees.
     #[inline(never)]
-    fn put(&mut self, column: u32, seen: &Seen) {
+    fn put(&mut self, column: u32, seen: &Seen, views: &Views) {
         let at = (column - self.x) as usize;
         if let Some(pixel) = self.run.get_mut(at) {
-            *pixel = C::shade(self.finish.shades::<C>(column, seen, self.finish.towards), column, self.y);
+            *pixel =
+                C::shade(self.finish.shades::<C>(column, seen, &self.finish.towards, views), column, self.y);
         }
     }
 
@@ -215,14 +216,16 @@ impl<C: Paint> Canvas<'_, C> {
         // A pixel and its mirror image, which is nowhere if there is none.
         let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
         let opposite = mirrored.unwrap_or(finish.towards);
+        let views = along.views;
         along.follow(i, to, |seen| {
             let column = x + at as u32;
             if let Some(pixel) = run.get_mut(at) {
-                *pixel = C::shade(finish.shades::<C>(column, seen, finish.towards), column, y);
+                *pixel = C::shade(finish.shades::<C>(column, seen, &finish.towards, &views), column, y);
             }
             let at_opposite = both.wrapping_sub(at);
             if let Some(pixel) = run.get_mut(at_opposite) {
-                *pixel = C::shade(finish.shades::<C>(column, seen, opposite), x + at_opposite as u32, y);
+                *pixel =
+                    C::shade(finish.shades::<C>(column, seen, &opposite, &views), x + at_opposite as u32, y);
             }
             at = at.wrapping_add(step);
         })

@@ -12,7 +12,7 @@ use crate::rays::Rays;
 use crate::solve::Bracketed;
 use crate::surface::Surface;
 use crate::vector::{F32x3, Vector, largest, vector};
-use core::ptr::from_ref;
+use core::ptr;
 
 /// A turned solid at its place in the world: what it is, where it is, what it looks like.
 ///
@@ -91,19 +91,6 @@ impl<'a> Solid<'a> {
         (half_height * self.pose.scale, radius * self.pose.scale)
     }
 
-    /// What a column's ray meets and sees of it, found by a walk along it: what a sweep leaves in doubt is decided as what a
-    /// glance leaves.
-    #[inline(never)]
-    fn seen(&self, row: &Row, column: u32) -> Option<(Hit, Seen)> {
-        let ray = self.ray_into(&row.ray(column));
-        let hit = self.lathe.nearest_by::<Bracketed>(&ray, 0.0)?;
-        let gradient = self.lathe.gradient_at(ray.at(hit.t), &hit);
-        // Very flat or very tall profiles have gradients whose squares are not numbers.
-        let gradient = gradient * (1.0 / largest(gradient));
-        let seen = Seen::new(gradient, if hit.enters { 1.0 } else { -1.0 });
-        Some((hit, seen))
-    }
-
     /// The solid as the pixels from `start` to `end` of a row see it.
     #[inline(never)]
     pub(crate) fn along<'s>(&'s self, row: &'s Row, start: u32, end: u32) -> SolidRow<'s> {
@@ -116,17 +103,16 @@ impl<'a> Solid<'a> {
         };
         let rays = Rays { origin, origin_step, direction, direction_step };
         let sweep = self.lathe.sweep(&rays, unit, (start, end));
-        SolidRow { solid: self, row, sweep }
+        SolidRow { solid: self, row, views: Views { first: direction, step: direction_step }, sweep }
     }
 
     /// How its surface looks in that light, in colours C.
     #[inline(always)]
-    pub(crate) fn finish<'s, C: Paint>(&'s self, row: &'s Row, light: &Light) -> Finish<'s> {
+    pub(crate) fn finish<C: Paint>(&self, light: &Light) -> Finish {
         let colour = self.colour.shades(C::SHADES);
         let ambient = colour.dimmed(Share::of_one(light.ambient));
         Finish {
-            solid: self,
-            row,
+            shininess: self.shininess,
             towards: self.pose.rotation.back(light.towards) * Share::UNITS,
             ambient,
             direct: colour.without(ambient),
@@ -145,7 +131,15 @@ impl defmt::Format for Solid<'_> {
 pub(crate) struct SolidRow<'a> {
     solid: &'a Solid<'a>,
     row: &'a Row<'a>,
+    pub views: Views,
     sweep: Sweep<'a>,
+}
+
+/// The directions of a row's rays, in a solid's own space: that of column 0, and by how much the next one's differs.
+#[derive(Clone, Copy)]
+pub(crate) struct Views {
+    first: F32x3,
+    step: F32x3,
 }
 
 impl SolidRow<'_> {
@@ -228,26 +222,35 @@ impl SolidRow<'_> {
     pub fn alone(&mut self, column: u32, solids: &[Solid]) -> Option<Seen> {
         let (mut nearest, mut seen_of_this) = (f32::INFINITY, None);
         for solid in solids {
-            let Some((hit, seen)) = solid.seen(self.row, column) else {
-                continue;
-            };
-            let is_this = from_ref(solid).addr() == from_ref(self.solid).addr();
-            if is_this {
-                self.sweep.found(&hit);
-            }
-            if hit.t < nearest {
-                nearest = hit.t;
-                seen_of_this = is_this.then_some(seen);
+            if let Some((t, seen)) = self.met(solid, column)
+                && t < nearest
+            {
+                nearest = t;
+                seen_of_this = ptr::eq(solid, self.solid).then_some(seen);
             }
         }
         seen_of_this
     }
+
+    /// How far along a column's ray it meets a solid, and what it sees of it, found by a walk along it: what a sweep leaves in
+    /// doubt is decided as what a glance leaves.
+    #[inline(never)]
+    fn met(&mut self, solid: &Solid, column: u32) -> Option<(f32, Seen)> {
+        let ray = solid.ray_into(&self.row.ray(column));
+        let hit = solid.lathe.nearest_by::<Bracketed>(&ray, 0.0)?;
+        if ptr::eq(solid, self.solid) {
+            self.sweep.found(&hit);
+        }
+        let gradient = solid.lathe.gradient_at(ray.at(hit.t), &hit);
+        // Very flat or very tall profiles have gradients whose squares are not numbers.
+        let gradient = gradient * (1.0 / largest(gradient));
+        Some((hit.t, Seen::new(gradient, if hit.enters { 1.0 } else { -1.0 })))
+    }
 }
 
 /// How a solid's surface looks along a row.
-pub(crate) struct Finish<'a> {
-    solid: &'a Solid<'a>,
-    row: &'a Row<'a>,
+pub(crate) struct Finish {
+    shininess: u8,
     /// Towards the light, in the solid's own space: as long as a share of 1 has units.
     pub towards: F32x3,
     /// What is seen in the shade, and what the light adds where it falls straight, in shades.
@@ -255,33 +258,32 @@ pub(crate) struct Finish<'a> {
     direct: Shades,
 }
 
-impl Finish<'_> {
+impl Finish {
     /// The colour of what a column's ray sees, in shades, in light from there.
     // Not always in line: where flash counts, it stands once. Where speed does, the record of instructions tells if the
     // compiler decides otherwise.
     #[inline]
-    pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, towards: F32x3) -> Shades {
-        let Seen { gradient, per_length, .. } = *seen;
-        let nl = per_length * gradient.dot(towards);
+    pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, towards: &F32x3, views: &Views) -> Shades {
+        let Seen { gradient, per_length } = *seen;
+        let nl = per_length * gradient.dot(*towards);
         let matt = self.ambient.with(self.direct.dimmed(Share::new(nl)));
-        if self.solid.shininess == 0 {
+        if self.shininess == 0 {
             return matt;
         }
-        let Self { solid, row, .. } = *self;
         let full = const { Shades::of(C::SHADES) };
-        let share = highlight(solid, row, column, towards, gradient * per_length);
-        matt.with_up_to(full.dimmed(Share::of_one(share)), full)
+        let share = self.gloss(gradient * per_length, towards, views, column);
+        matt.with_up_to(full.dimmed(share), full)
     }
-}
 
-/// The share of white that a column's ray sees, given the direction of the light and the normal.
-#[cold]
-#[inline(never)]
-fn highlight(solid: &Solid, row: &Row, column: u32, towards: F32x3, normal: F32x3) -> f32 {
-    let towards = towards * (1.0 / Share::UNITS);
-    let nl = normal.dot(towards);
-    let view = solid.pose.rotation.back(row.ray(column).direction);
-    let per_length = -inverse_root(view.dot(view));
-    let (nv, lv) = (per_length * normal.dot(view), per_length * towards.dot(view));
-    Light::highlight(solid.shininess, nl, nv, lv)
+    /// The share of white that a column's ray sees, given the normal and the light.
+    #[cold]
+    #[inline(never)]
+    fn gloss(&self, normal: F32x3, towards: &F32x3, views: &Views, column: u32) -> Share {
+        let view = views.first + views.step * column as f32;
+        let nl = normal.dot(*towards);
+        // r·v, r the light's direction mirrored and v against the view.
+        let mirrored = towards.dot(view) - 2.0 * nl * normal.dot(view);
+        let mirrored = mirrored * (inverse_root(view.dot(view)) * (1.0 / Share::UNITS));
+        Share::of_one(Light::highlight(self.shininess, nl, mirrored))
+    }
 }

@@ -10,8 +10,8 @@ use crate::solid::Solid;
 use crate::vector::{F32x3, dot};
 use core::{ptr, slice};
 
-/// What rounding may do to the square of a cosine, and more.
-const ROUNDING: f32 = 1.0 / 65_536.0;
+/// What rounding may do to the distance between two solids, and more: one may stand on the other.
+const WIDER: f32 = 1.0 + 1.0 / 65_536.0;
 
 /// As far away as parallel rays come from.
 const FAR: f32 = 1_048_576.0;
@@ -21,9 +21,9 @@ impl Solid<'_> {
     #[inline(never)]
     fn reach(&self, n: F32x3) -> f32 {
         let (half_height, radius) = self.cylinder();
-        let (along, square) = (dot(n, self.axis()), dot(n, n));
-        let across = square * (1.0 + ROUNDING) + f32::MIN_POSITIVE - along * along;
-        half_height * along.abs() + radius * Native::sqrt(across)
+        let along = dot(n, self.axis());
+        let across = n - self.axis() * along;
+        half_height * along.abs() + radius * Native::sqrt(dot(across, across))
     }
 }
 
@@ -70,7 +70,7 @@ impl Camera {
         let beside = flat - view * (dot(flat, view) / dot(view, view));
         [flat, axial, beside].into_iter().any(|n| {
             let reach = far.reach(n);
-            dot(between, n) > reach + near.reach(n) && dot(away, n) > reach
+            WIDER * dot(between, n) > reach + near.reach(n) && dot(away, n) > reach
         })
     }
 }

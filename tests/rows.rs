@@ -109,11 +109,13 @@ fn the_reference_scenes_are_those_of_single_rays() {
     let (towards, ambient) = ([-0.5, -0.7, 0.5], 0.15);
     let colours = [scenes::CLAY, Rgb::new(0.8, 0.75, 0.3), Rgb::new(0.45, 0.6, 0.45)];
     let (bowl, knob) = ([Rgb::new(0.3, 0.6, 0.7)], [Rgb::gray(0.75)]);
+    let (board, light, dark) = (Rgb::new(0.35, 0.22, 0.15), Rgb::gray(0.85), Rgb::gray(0.3));
     for (name, scene) in scenes::NAMED {
         let matt: Vec<Solid> = scene.solids.iter().map(|solid| solid.shiny(0)).collect();
         let colours = match name {
             "bowl" => &bowl[..],
             "knob" => &knob,
+            "pawns" => &[board, light, light, light, dark, dark, dark],
             _ => &colours,
         };
         let scene = Scene { solids: &matt, background: BLACK, ..*scene };
@@ -241,6 +243,33 @@ fn the_first_of_two_in_one_place_is_seen() {
         }
     }
     assert!(seen > 10_000, "{seen}");
+}
+
+/// Everything so many times as large, by powers of two, is the same to the last bit.
+#[test]
+fn a_world_of_any_size_looks_the_same() {
+    let vase_and_two = |size: f32| {
+        let at = |x: f32, y: f32, z: f32| [size * x, size * y, size * z];
+        let pose = |place, scale: f32| Pose::new(place, Rotation::about_x(0.2), size * scale).unwrap();
+        let solids = [
+            Solid::new(&scenes::BALL, Rgb::new(0.8, 0.8, 0.3)).posed(pose(at(-0.4, -0.3, 0.4), 1.0)),
+            Solid::new(&scenes::VASE, scenes::CLAY).posed(pose(at(0.0, 0.0, 0.0), 1.0)),
+            Solid::new(&scenes::PAWN, Rgb::WHITE).posed(pose(at(0.3, 0.8, 0.0), 1.2)),
+        ];
+        let up = [0.0, 0.0, 1.0];
+        let camera = Camera::perspective(at(0.0, -2.6, 1.2), at(0.0, 0.0, 0.4), up, 0.42).unwrap();
+        let scene = Scene { solids: &solids, camera, ..scenes::STILL_LIFE };
+        let mut row = [Rgb565::BLACK; 120];
+        let rows = (0..120).flat_map(|y| {
+            scene.picture(120, 120).row(y, &mut row);
+            row
+        });
+        rows.collect::<Vec<_>>()
+    };
+    let exact = vase_and_two(1.0);
+    for power in [-60, -30, 10, 60] {
+        assert!(vase_and_two(2_f32.powi(power)) == exact, "2 to the power of {power}");
+    }
 }
 
 /// Rays exactly level in rows that are not, views from straight above, and pictures of next to nothing of a solid.

@@ -27,7 +27,7 @@ type Row = [display::Color; WIDTH as usize];
 
 const BLANK: Row = [display::BLANK; WIDTH as usize];
 
-const SCENES: [(&str, &Scene); 9] = [
+const SCENES: [(&str, &Scene); 10] = [
     ("vase", &scenes::VASE_SCENE),
     ("tilted vase", &scenes::TILTED_SCENE),
     ("still life", &scenes::STILL_LIFE),
@@ -37,6 +37,7 @@ const SCENES: [(&str, &Scene); 9] = [
     ("ball", &scenes::BALL_SCENE),
     ("vase and ball", &scenes::VASE_AND_BALL),
     ("ball in bowl", &scenes::BALL_IN_BOWL),
+    ("pawns", &scenes::PAWNS),
 ];
 
 /// Columns and rows of all pixels.

@@ -153,11 +153,38 @@ pub static BALL_IN_BOWL: Scene = Scene {
     ..INSIDE_SCENE
 };
 
+/// A round board.
+pub static BOARD: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::cylinder(1.2, 0.06)));
+
+const fn pawn_at(x: f32, y: f32, colour: Rgb) -> Solid<'static> {
+    match Pose::new([x, y, 0.06], Rotation::IDENTITY, 0.7) {
+        Ok(pose) => Solid::new(&PAWN, colour).posed(pose),
+        Err(error) => error.stop(),
+    }
+}
+
+/// Six pawns on the board.
+pub static PAWNS: Scene = Scene {
+    solids: &[
+        Solid::new(&BOARD, Rgb::new(0.35, 0.22, 0.15)),
+        pawn_at(-0.6, -0.4, Rgb::gray(0.85)),
+        pawn_at(0.0, -0.6, Rgb::gray(0.85)),
+        pawn_at(0.6, -0.4, Rgb::gray(0.85)),
+        pawn_at(-0.6, 0.4, Rgb::gray(0.3)),
+        pawn_at(0.0, 0.6, Rgb::gray(0.3)),
+        pawn_at(0.6, 0.4, Rgb::gray(0.3)),
+    ],
+    camera: valid!(Camera::perspective([0.0, -2.8, 1.9], [0.0, 0.0, 0.1], [0.0, 0.0, 1.0], 0.42)),
+    light: DAYLIGHT,
+    background: SKY,
+};
+
 /// All of them, and what their pictures in `docs` are called.
-pub static NAMED: [(&str, &Scene); 5] = [
+pub static NAMED: [(&str, &Scene); 6] = [
     ("vase", &VASE_SCENE),
     ("tilted-vase", &TILTED_SCENE),
     ("bowl", &INSIDE_SCENE),
     ("knob", &KNOB_SCENE),
     ("still-life", &STILL_LIFE),
+    ("pawns", &PAWNS),
 ];

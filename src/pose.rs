@@ -144,7 +144,6 @@ impl Rotation {
     }
 
     /// The vector, turned back.
-    #[inline]
     pub(crate) const fn back(&self, v: F32x3) -> F32x3 {
         let [a, b, c] = self.rows;
         let (a, b, c) = (scale(a, v.x), scale(b, v.y), scale(c, v.z));

@@ -46,7 +46,7 @@ impl<'a> Chord<'a> {
     }
 
     /// The first crossing after a point of the chord, given the side that the ray is on there.
-    #[inline(always)]
+    #[inline]
     pub fn crossing<S: Solver>(&self, from: f32, inside: bool) -> Option<f32> {
         if from < self.to { first_crossing::<S>(&self.g, from, self.to, inside) } else { None }
     }
@@ -57,7 +57,7 @@ impl<'a> Chord<'a> {
         first_piece::<S::Math>(&self.g, self.from, self.to, inside).is_some()
     }
 
-    #[inline(always)]
+    #[inline]
     pub fn hit(&self, s: f32, enters: bool) -> Hit {
         let t = self.origin + s;
         Hit {

@@ -4,7 +4,6 @@
 /// Half the exponent and a start on the mantissa come from the bits of x (Walsh). Two steps
 /// `y ← y·(a − x/2·y²)` follow. Newton's would have a = 3/2, and err to one side; these split the error: of the
 /// start's ±3.4 % there is left 8.8·10⁻⁴, of that 8·10⁻⁷, and rounding.
-#[inline]
 pub(crate) fn inverse_root(x: f32) -> f32 {
     let half = 0.5 * x;
     let y = f32::from_bits(0x5f37_6800 - (x.to_bits() >> 1));

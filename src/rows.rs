@@ -173,18 +173,20 @@ impl<C: Paint> Canvas<'_, C> {
                 i = next;
                 continue;
             }
-            let cap = along.cap(i);
-            if cap.is_none()
-                && let Some(next) = along.look(i)
-            {
+            let next = self.cap(along, i);
+            if next > i {
                 i = next;
                 continue;
             }
-            // The mirror image, too; its own ray last, for where that meets the solid the next one may.
+            if let Some(next) = along.look(i) {
+                i = next;
+                continue;
+            }
+            // The mirror image's own ray, too; this one last, for where it meets the solid the next one may.
             let own = along.column(i);
             let mut column = if self.mirrored.is_some() { along.opposite(i) } else { own };
             loop {
-                if let Some(seen) = cap.or_else(|| along.alone(column, self.among)) {
+                if let Some(seen) = along.alone(column, self.among) {
                     self.put(column, &seen, &along.views);
                 }
                 if column == own {
@@ -194,6 +196,17 @@ impl<C: Paint> Canvas<'_, C> {
             }
             i += 1;
         }
+    }
+
+    /// What the rays from i on see that come in through a cap. The first that does not is the one returned.
+    #[inline(never)]
+    fn cap(&mut self, along: &SolidRow, i: u32) -> u32 {
+        along.cap(i, |i, seen| {
+            if self.mirrored.is_some() {
+                self.put(along.opposite(i), seen, &along.views);
+            }
+            self.put(along.column(i), seen, &along.views);
+        })
     }
 
     /// What a column's ray sees.

@@ -206,9 +206,9 @@ impl SolidRow<'_> {
     }
 
     /// As [`Sweep::cap`].
-    #[inline(never)]
-    pub fn cap(&self, i: u32) -> Option<Seen> {
-        self.sweep.cap(i)
+    #[inline(always)]
+    pub fn cap(&self, i: u32, see: impl FnMut(u32, &Seen)) -> u32 {
+        self.sweep.cap(i, see)
     }
 
     /// As [`Sweep::look`]. Apart, as `alone` is: their stacks are not both needed.

@@ -6,14 +6,25 @@ use super::sweep::Sweep;
 use crate::vector::vector;
 
 impl Sweep<'_> {
-    /// What the i-th ray sees, if it comes in through a cap, clear of its rim.
-    pub fn cap(&self, i: u32) -> Option<Seen> {
+    /// Hands over what each ray from the i-th on sees that comes in through a cap, clear of its rim. The first that does
+    /// not is the one returned.
+    #[inline(always)]
+    pub fn cap(&self, mut i: u32, mut see: impl FnMut(u32, &Seen)) -> u32 {
         let frame = self.lathe.frame;
-        let (end, up) = if self.rising? { (&frame.base, -1.0) } else { (&frame.top, 1.0) };
-        let (m, d) = self.ray(i);
-        let p = m + d * ((end.z - m.z) / d.z);
-        // The flatter the ray, the farther off rounding may put the place.
-        ((end.cap - flat(p, p)) * d.z.abs() > self.doubt)
-            .then_some(Seen { gradient: vector([0.0, 0.0, up]), per_length: 1.0 })
+        let Some(is_rising) = self.rising else {
+            return i;
+        };
+        let (end, up) = if is_rising { (&frame.base, -1.0) } else { (&frame.top, 1.0) };
+        while end.cap > 0.0 && i < self.end {
+            let (m, d) = self.ray(i);
+            let p = m + d * ((end.z - m.z) / d.z);
+            // The flatter the ray, the farther off rounding may put the place.
+            if !((end.cap - flat(p, p)) * d.z.abs() > self.doubt) {
+                break;
+            }
+            see(i, &Seen { gradient: vector([0.0, 0.0, up]), per_length: 1.0 });
+            i += 1;
+        }
+        i
     }
 }

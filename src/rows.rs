@@ -10,7 +10,7 @@ use crate::vector::F32x3;
 use core::num::NonZeroU32;
 
 /// How many pixels are reckoned at once on the way to a display that lends no memory.
-pub(crate) const RUN: usize = 18;
+pub(crate) const RUN: usize = 40;
 
 /// A scene as a picture of so many pixels: reckoned row by row, or pixel by pixel, when asked.
 ///

@@ -39,7 +39,7 @@
 //!
 //! ```text
 //! math → vector → cubic → solve → profile → ray → rays → hit → lathe → surface → color → light → camera
-//!      → pose → solid → scene → rows → draw
+//!      → pose → solid → scene → occlusion → rows → draw
 //! ```
 //!
 //! | stage | from | to |

@@ -1,7 +1,7 @@
 //! Which solids may hide which: far ones are painted before near ones.
 //!
-//! Where a plane parts two of them, with the eye on one side, the far one never hides the near one. Only if there is none
-//! must pixels ask which is nearer.
+//! Where a plane parts two of them, with the eye on the near one's side, the far one never hides the near one. Only where none
+//! is found must pixels ask which is nearer. Any order is right; a good one is cheap.
 
 use crate::camera::{Camera, Projection};
 use crate::math::{Math, Native};
@@ -10,10 +10,10 @@ use crate::solid::Solid;
 use crate::vector::{F32x3, dot};
 use core::{ptr, slice};
 
-/// What rounding may do to the distance between two solids, and more: one may stand on the other.
-const WIDER: f32 = 1.0 + 1.0 / 65_536.0;
+/// What rounding may do to a distance: one solid may stand on another, and the eye must not be on a cap's very plane.
+const ROUNDING: f32 = 1.0 + 1.0 / 2_097_152.0;
 
-/// As far away as parallel rays come from.
+/// As far away as parallel rays come from, in radii. What counts is only on which side of a plane.
 const FAR: f32 = 1_048_576.0;
 
 impl Solid<'_> {
@@ -43,34 +43,33 @@ impl Scene<'_> {
 }
 
 impl Camera {
-    /// How far away the far end of a solid is, in numbers that grow with that: so that one within another's cylinder is
-    /// painted after it, and of the two the small one asks.
+    /// How far away a solid is, its radius added, in numbers that grow with that. So of two in one place the one that is
+    /// painted last, and must ask, tends to be the smaller.
     #[inline(never)]
     pub(crate) fn distance(&self, solid: &Solid) -> u32 {
-        let away = solid.centre() - self.eye;
+        let away = solid.centre_from(self.eye);
         (Native::sqrt(dot(away, away)) + solid.cylinder().1).to_bits()
     }
 
-    /// Whether no ray can meet the far solid before the near one: whether there is a plane between them, with the eye on
-    /// the near one's side.
+    /// Whether a plane is found between two solids, with the eye on the near one's side: then no ray meets the far one
+    /// first.
     #[inline(never)]
     pub(crate) fn sees_behind(&self, far: &Solid, near: &Solid) -> bool {
-        let (far_centre, radius) = (far.centre(), far.cylinder().1);
-        let between = far_centre - near.centre();
+        let between = far.centre_from(near.position()) - near.centre_from(near.position());
+        let (radius, away) = (far.cylinder().1, far.centre_from(self.eye));
         let radii = radius + near.cylinder().1;
         let away = match self.projection {
-            Projection::Perspective => far_centre - self.eye,
+            Projection::Perspective => away,
             Projection::Orthographic => self.forward * (FAR * radii),
         };
-        // A plane along the far one's axis, one across it, and one through the eye, each across the way between as far as
-        // can be.
+        // Normals of planes: across the far one's axis, along it, and across the view of a place between the two.
         let axial = far.axis() * dot(between, far.axis());
         let flat = between - axial;
         let view = away - between * (radius / radii);
         let beside = flat - view * (dot(flat, view) / dot(view, view));
         [flat, axial, beside].into_iter().any(|n| {
             let reach = far.reach(n);
-            WIDER * dot(between, n) > reach + near.reach(n) && dot(away, n) > reach
+            ROUNDING * dot(between, n) > reach + near.reach(n) && dot(away, n) > ROUNDING * reach
         })
     }
 }

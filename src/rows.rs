@@ -182,7 +182,7 @@ impl<C: Paint> Canvas<'_, C> {
                 i = next;
                 continue;
             }
-            // The mirror image's own ray, too; this one last, for where it meets the solid the next one may.
+            // The mirror image's own ray, too. This one goes last: the next one's root is looked for where it meets the solid.
             let own = along.column(i);
             let mut column = if self.mirrored.is_some() { along.opposite(i) } else { own };
             loop {

@@ -29,10 +29,9 @@ use crate::solid::Solid;
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a> {
-    /// What is seen, in any order. Of two at the same distance, the first.
+    /// What is seen, in any order. Of two at the same distance, the first; where one only touches the other, either.
     ///
-    /// Solids that a plane parts cost what each costs alone. Of two that none does, the one that ends nearer to the eye
-    /// goes ray by ray.
+    /// Solids that a plane parts cost what each costs alone. Of two that none parts, one goes ray by ray.
     pub solids: &'a [Solid<'a>],
     /// From where.
     pub camera: Camera,

@@ -74,10 +74,14 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The middle of it, in the world.
-    pub(crate) fn centre(&self) -> F32x3 {
-        let Pose { position, scale, .. } = &self.pose;
-        *position + self.axis() * (self.lathe.middle() * scale)
+    /// Where its own space has its origin.
+    pub(crate) fn position(&self) -> F32x3 {
+        self.pose.position
+    }
+
+    /// From a point to its centre: positions first, which rounding would hide it beside.
+    pub(crate) fn centre_from(&self, point: F32x3) -> F32x3 {
+        self.pose.position - point + self.axis() * (self.lathe.middle() * self.pose.scale)
     }
 
     /// The direction of its axis, of unit length.
@@ -277,7 +281,6 @@ impl Finish {
 
     /// The share of white that a column's ray sees, given the normal and the light.
     #[cold]
-    #[inline(never)]
     fn gloss(&self, normal: F32x3, towards: &F32x3, views: &Views, column: u32) -> Share {
         let view = views.first + views.step * column as f32;
         let nl = normal.dot(*towards);

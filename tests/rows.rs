@@ -245,6 +245,67 @@ fn the_first_of_two_in_one_place_is_seen() {
     assert!(seen > 10_000, "{seen}");
 }
 
+/// Three balls as far away, side by side, are all seen.
+#[test]
+fn all_of_three_as_far_away_are_seen() {
+    let turns = [-0.4, 0.0, 0.4].map(Rotation::about_z);
+    let places = turns.map(|turn| turn.apply([0.0, 4.0, 0.0]).to_array().map(|c| c + 0.0));
+    let ball = |place| {
+        let pose = Pose::new(place, Rotation::IDENTITY, 1.0).unwrap();
+        Solid::new(&scenes::BALL, Rgb::WHITE).posed(pose)
+    };
+    // The outer two are mirror images; the one between is put where it is as far to the last bit.
+    let [left, _, right] = places;
+    let solids = [ball(left), ball(right), ball([0.0, (left[0] * left[0] + left[1] * left[1]).sqrt(), 0.0])];
+    let camera = Camera::perspective([0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], 0.6).unwrap();
+    let light = Light::new([0.0, -1.0, 0.0], 0.5).unwrap();
+    let scene = Scene { solids: &solids, camera, light, background: BLACK };
+    let mut row = [Rgb565::BLACK; 240];
+    scene.picture(240, 3).row(1, &mut row);
+    let edges = row.windows(2).filter(|pair| (pair[0] == Rgb565::BLACK) != (pair[1] == Rgb565::BLACK));
+    assert_eq!(edges.count(), 6, "{row:?}");
+}
+
+/// A coin within another solid is not seen, however small it is, near its surface, or far from the origin.
+#[test]
+fn what_is_within_another_solid_is_hidden() {
+    let up = [0.0, 0.0, 1.0];
+    let column = Lathe::turn(Profile::<1>::cylinder(1.0, 100.0).unwrap());
+    let coin = Lathe::turn(Profile::<1>::cylinder(1.0, 1.0).unwrap());
+    let slab = Lathe::turn(Profile::<1>::cylinder(2.0, 0.37).unwrap());
+    let closed = Profile::<1>::new(&[0.3, 0.35], &[0.09; 4]).unwrap().base(End::Capped).top(End::Capped);
+    let thin = Lathe::turn(closed);
+    let pose = |place, rotation, scale| Pose::new(place, rotation, scale).unwrap();
+    let upright = |place, scale| pose(place, Rotation::IDENTITY, scale);
+    // A coin a twentieth of its size below the top of the column; and one on edge, far away, all numbers exact.
+    let size = 5e-4_f32;
+    let (deep, far) = (upright([0.0, 0.0, -1.05 * size], size), 1_048_576.0);
+    let on_edge = pose([far, 0.0, 0.0], Rotation::about_y(core::f32::consts::FRAC_PI_2), 1.0);
+    let column = Solid::new(&column, Rgb::WHITE).posed(upright([0.0, 0.0, -100.0], 1.0));
+    let coin = Solid::new(&coin, scenes::CLAY).posed(deep);
+    let thick =
+        [Solid::new(&slab, Rgb::WHITE).posed(on_edge), Solid::new(&thin, scenes::CLAY).posed(on_edge)];
+    let views = [
+        ([column, coin], Camera::perspective([0.0, -5.0 * size, 3.0 * size], [0.0; 3], up, 0.4)),
+        ([column, coin], Camera::perspective([0.0, -40.0, 30.0], [0.0; 3], up, 2.0 * size / 50.0)),
+        (thick, Camera::perspective([far + 4.0, -1.0, 1.0], [far, 0.0, 0.0], up, 0.5)),
+    ];
+    let light = Light::new([0.3, -1.0, 0.5], 0.5).unwrap();
+    for (number, (solids, camera)) in views.into_iter().enumerate() {
+        let scene = Scene { solids: &solids, camera: camera.unwrap(), light, background: BLACK };
+        let mut row = [Rgb565::BLACK; 60];
+        let mut seen = 0;
+        for y in 0..60 {
+            scene.picture(60, 60).row(y, &mut row);
+            // White is grey in the shade, and clay is not.
+            let is_grey = |pixel: &Rgb565| pixel.r() == pixel.b();
+            assert!(row.iter().all(is_grey), "scene {number}, row {y}: {row:?}");
+            seen += row.iter().filter(|pixel| **pixel != Rgb565::BLACK).count();
+        }
+        assert!(seen > 1_000, "scene {number}: {seen}");
+    }
+}
+
 /// Everything so many times as large, by powers of two, is the same to the last bit.
 #[test]
 fn a_world_of_any_size_looks_the_same() {
@@ -311,6 +372,46 @@ fn exact_views_are_those_of_single_rays() {
     // Nearly all pixels of a picture of next to nothing have one colour, and rounding may decide between two.
     assert_eq!((difference.mask, difference.more), (0, 0), "{difference:?}");
     assert!(difference.covered * 2 > difference.pixels, "{difference:?}");
+}
+
+/// Rays in a cap's very plane, or as near to it as rounding tells, meet the rim or not, as single rays do.
+#[test]
+fn rays_level_with_a_cap_are_those_of_single_rays() {
+    let cylinder = Lathe::turn(Profile::<1>::cylinder(1.0, 0.7).unwrap());
+    let (towards, ambient, up) = ([-0.5, -0.7, 0.5], 0.15, [0.0, 0.0, 1.0]);
+    let light = Light::new(towards, ambient).unwrap();
+    let turned = Rotation::about_x(core::f32::consts::PI);
+    let views = [
+        (
+            Pose::new([0.0; 3], turned, 0.410_956_62),
+            [-0.671_061_2, 0.032_068_312, 0.0],
+            [0.0, 0.08549, 0.0],
+            up,
+            0.46,
+        ),
+        (
+            Pose::new([0.0, 0.0, 0.35], Rotation::IDENTITY, 1.0),
+            [0.3, -5.0, 0.35],
+            [0.2, 0.0, 0.35],
+            [0.3, 0.0, 1.0],
+            1.2,
+        ),
+        (Pose::new([0.0, 0.0, 0.35], Rotation::IDENTITY, 1.0), [0.3, -5.0, 0.35], [0.2, 0.0, 0.35], up, 1.2),
+    ];
+    let mut difference = Difference::default();
+    for (number, (pose, eye, target, up, wide)) in views.into_iter().enumerate() {
+        let solids = [Solid::new(&cylinder, Rgb::WHITE).posed(pose.unwrap())];
+        let cameras =
+            [Camera::perspective(eye, target, up, wide), Camera::orthographic(eye, target, up, wide)];
+        for (camera, side) in cameras.into_iter().flat_map(|camera| [(camera, 3), (camera, 60), (camera, 61)])
+        {
+            let scene = Scene { solids: &solids, camera: camera.unwrap(), light, background: BLACK };
+            let known = Known { scene, colours: &[Rgb::WHITE], towards, ambient };
+            difference.add(&known, side, &format!("view {number}, {side} wide"));
+        }
+    }
+    assert_eq!((difference.mask, difference.more), (0, 0), "{difference:?}");
+    assert!(difference.covered * 20 > difference.pixels, "{difference:?}");
 }
 
 /// A ring so low that its ends are all in doubt.

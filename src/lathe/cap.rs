@@ -1,4 +1,4 @@
-//! Caps that rays come in through: there is nothing before them.
+//! Caps that rays come in through. There is nothing before them, for a run that is of use begins outside.
 
 use super::follow::Seen;
 use super::path::flat;

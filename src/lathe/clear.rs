@@ -55,6 +55,10 @@ impl Sweep<'_> {
     /// i-th itself, if it may; then a root is followed, if it is known where to.
     pub(super) fn clear_until(&mut self, i: u32) -> u32 {
         let path = self.path(i);
+        // Level with an end's plane, it may meet the rim.
+        if (path.z.abs() - self.lathe.frame.high).abs() + path.dz.abs() < self.doubt {
+            return i;
+        }
         let reach = self.reach(&path);
         let crest = self.crest(&path, 1.0, reach);
         if !(crest.g < -self.doubt) {

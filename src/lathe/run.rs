@@ -58,12 +58,12 @@ impl Lathe {
         let is_usable =
             least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25 && frame.steepest < 1e9;
 
-        // Rounding can do as much to a height.
         let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
+        // Rounding can do as much to a height.
         let slope = slope + ROUNDING * distance;
         let (low, high) = (greater(frame.low, height - slope), lesser(frame.high, height + slope));
         let is_far = is_far || is_usable && low > high;
-        // What is not seen has no middle.
+        // What is not seen has no middle: it is all one half.
         let (is_mirrored, middle) = if is_far {
             (false, start)
         } else {
@@ -124,7 +124,7 @@ impl Lathe {
     }
 }
 
-/// By how much g can differ, at the same s within the span, between the rays a pixel before the middle one and a
+/// By how much g can differ, at the same s within the span, between the rays a pixel before the one half way and a
 /// pixel after it; `drop` is a bound on how F differs. Over n pixels it is n times as much: what differs in x² + y²
 /// are the terms that change their sign with the pixel's number.
 #[inline(always)]
@@ -154,7 +154,7 @@ impl Plane {
     }
 }
 
-/// How many pixels from the middle one the ray is that passes nearest to a point.
+/// How many pixels from the one half way the ray is that passes nearest to a point.
 #[inline(always)]
 fn towards(run: &Rays, point: F32x3) -> f32 {
     let Rays { origin, origin_step, direction, direction_step } = *run;

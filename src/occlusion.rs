@@ -31,8 +31,7 @@ impl Scene<'_> {
     /// The solids that a solid, painted after all that are farther, must be compared with: it alone, or, if one of those may
     /// yet hide it, all.
     #[inline(never)]
-    pub(crate) fn among<'s>(&'s self, solid: &'s Solid) -> &'s [Solid<'s>] {
-        let distance = self.camera.distance(solid);
+    pub(crate) fn among<'s>(&'s self, solid: &'s Solid, distance: u32) -> &'s [Solid<'s>] {
         let may_hide = |far: &Solid| {
             !ptr::eq(far, solid)
                 && self.camera.distance(far) >= distance

@@ -72,7 +72,7 @@ impl Picture<'_> {
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
         match self.scene.solids {
-            [solid] => self.solid(solid, &row, x, part),
+            [solid] => self.solid(solid, 0, &row, x, part),
             solids => self.solids(solids, &row, x, part),
         }
     }
@@ -92,7 +92,7 @@ impl Picture<'_> {
             let Some((distance, index, solid)) = next else {
                 return;
             };
-            self.solid(solid, row, x, part);
+            self.solid(solid, distance, row, x, part);
             (last, last_index) = (distance, index);
         }
     }
@@ -108,12 +108,12 @@ impl Picture<'_> {
 
     /// A solid, over what is there.
     #[inline(never)]
-    fn solid<C: Paint>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C]) {
+    fn solid<C: Paint>(&self, solid: &Solid, distance: u32, row: &Row, x: u32, run: &mut [C]) {
         let mut along = solid.along(row, x, x + run.len() as u32);
         if along.is_far() {
             return;
         }
-        let among = self.scene.among(solid);
+        let among = self.scene.among(solid, distance);
         if among.len() > 1 {
             along.share();
         }

@@ -1,7 +1,7 @@
 //! Which solids may hide which: far ones are painted before near ones.
 //!
-//! Where a plane parts two of them, with the eye on the near one's side, the far one never hides the near one. Only where none
-//! is found must pixels ask which is nearer. Any order is right; a good one is cheap.
+//! Where a plane parts two of them, with the eye on the near one's side, the far one never hides the near one. Only
+//! where none is found must pixels ask which is nearer. Any order is right; a good one is cheap.
 
 use crate::camera::{Camera, Projection};
 use crate::math::{Math, Native};
@@ -10,7 +10,8 @@ use crate::solid::Solid;
 use crate::vector::{F32x3, dot};
 use core::{ptr, slice};
 
-/// What rounding may do to a distance: one solid may stand on another, and the eye must not be on a cap's very plane.
+/// What rounding may do to a distance: one solid may stand on another, and the eye must not be on a cap's very
+/// plane.
 const ROUNDING: f32 = 1.0 + 1.0 / 2_097_152.0;
 
 /// As far away as parallel rays come from, in radii. What counts is only on which side of a plane.
@@ -28,8 +29,8 @@ impl Solid<'_> {
 }
 
 impl Scene<'_> {
-    /// The solids that a solid, painted after all that are farther, must be compared with: it alone, or, if one of those may
-    /// yet hide it, all.
+    /// The solids that a solid, painted after all that are farther, must be compared with: it alone, or, if one of
+    /// those may yet hide it, all.
     #[inline(never)]
     pub(crate) fn among<'s>(&'s self, solid: &'s Solid, distance: u32) -> &'s [Solid<'s>] {
         let may_hide = |far: &Solid| {
@@ -42,8 +43,8 @@ impl Scene<'_> {
 }
 
 impl Camera {
-    /// How far away a solid is, its radius added, in numbers that grow with that. So of two in one place the one that is
-    /// painted last, and must ask, tends to be the smaller.
+    /// How far away a solid is, its radius added, in numbers that grow with that. So of two in one place the one that
+    /// is painted last, and must ask, tends to be the smaller.
     #[inline(never)]
     pub(crate) fn distance(&self, solid: &Solid) -> u32 {
         let away = solid.centre_from(self.eye);

@@ -182,7 +182,8 @@ impl<C: Paint> Canvas<'_, C> {
                 i = next;
                 continue;
             }
-            // The mirror image's own ray, too. This one goes last: the next one's root is looked for where it meets the solid.
+            // The mirror image's own ray, too. This one goes last: where it meets the solid the next one's root is
+            // looked for.
             let own = along.column(i);
             let mut column = if self.mirrored.is_some() { along.opposite(i) } else { own };
             loop {

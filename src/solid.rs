@@ -79,7 +79,7 @@ impl<'a> Solid<'a> {
         self.pose.position
     }
 
-    /// From a point to its centre: positions first, which rounding would hide it beside.
+    /// From a point to its centre. Positions first: beside a large one rounding would hide the rest.
     pub(crate) fn centre_from(&self, point: F32x3) -> F32x3 {
         self.pose.position - point + self.axis() * (self.lathe.middle() * self.pose.scale)
     }
@@ -139,7 +139,8 @@ pub(crate) struct SolidRow<'a> {
     sweep: Sweep<'a>,
 }
 
-/// The directions of a row's rays, in a solid's own space: that of column 0, and by how much the next one's differs.
+/// The directions of a row's rays, in a solid's own space: that of column 0, and by how much the next one's
+/// differs.
 #[derive(Clone, Copy)]
 pub(crate) struct Views {
     first: F32x3,
@@ -236,8 +237,8 @@ impl SolidRow<'_> {
         seen_of_this
     }
 
-    /// How far along a column's ray it meets a solid, and what it sees of it, found by a walk along it: what a sweep leaves in
-    /// doubt is decided as what a glance leaves.
+    /// How far along a column's ray it meets a solid, and what it sees of it, found by a walk along it: what a sweep
+    /// leaves in doubt is decided as what a glance leaves.
     #[inline(never)]
     fn met(&mut self, solid: &Solid, column: u32) -> Option<(f32, Seen)> {
         let ray = solid.ray_into(&self.row.ray(column));

@@ -165,12 +165,12 @@ impl<C: Paint> Canvas<'_, C> {
     /// From the middle on outwards.
     #[inline(never)]
     fn outwards(&mut self, along: &mut SolidRow) {
-        let mut i = 0;
+        let (mut i, mut saw) = (0, false);
         while i < along.end() {
             if let Some(to) = along.followed(i) {
                 let (next, stop) = if to > i { self.follow(along, i, to) } else { (i, Stop::End) };
                 along.stopped(next, stop);
-                i = next;
+                (i, saw) = (next, false);
                 continue;
             }
             let next = self.cap(along, i);
@@ -178,7 +178,8 @@ impl<C: Paint> Canvas<'_, C> {
                 i = next;
                 continue;
             }
-            if let Some(next) = along.look(i) {
+            // Beside a ray gone alone that met it a look would be in vain.
+            if !saw && let Some(next) = along.look(i) {
                 i = next;
                 continue;
             }
@@ -187,7 +188,9 @@ impl<C: Paint> Canvas<'_, C> {
             let own = along.column(i);
             let mut column = if self.mirrored.is_some() { along.opposite(i) } else { own };
             loop {
-                if let Some(seen) = along.alone(column, self.among) {
+                let seen = along.alone(column, self.among);
+                saw = seen.is_some();
+                if let Some(seen) = seen {
                     self.put(column, &seen, &along.views);
                 }
                 if column == own {

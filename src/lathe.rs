@@ -107,12 +107,11 @@ struct Frame {
     top: EndPlane,
 }
 
-/// The plane of an end, in the frame.
+/// What the plane of an end holds, in the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct EndPlane {
-    z: f32,
-    /// What part of the surface it holds: nothing if the end is open, and the wall itself where that closes to a point.
+    /// What part of the surface: nothing if the end is open, and the wall itself where that closes to a point.
     part: Option<Part>,
     /// The square of the cap's radius: zero if there is none.
     cap: f32,
@@ -120,11 +119,11 @@ struct EndPlane {
 
 impl EndPlane {
     /// Given the squared radius there.
-    const fn new(z: f32, square: f32, end: End, cap: Part) -> Self {
+    const fn new(square: f32, end: End, cap: Part) -> Self {
         match end {
-            _ if square == 0.0 => Self { z, part: Some(Part::Wall), cap: 0.0 },
-            End::Capped => Self { z, part: Some(cap), cap: square },
-            End::Open => Self { z, part: None, cap: 0.0 },
+            _ if square == 0.0 => Self { part: Some(Part::Wall), cap: 0.0 },
+            End::Capped => Self { part: Some(cap), cap: square },
+            End::Open => Self { part: None, cap: 0.0 },
         }
     }
 }
@@ -214,8 +213,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
             radius: constant::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
-            base: EndPlane::new(segments[0].low, segments[0].b[0], profile.base, Part::Base),
-            top: EndPlane::new(high, segments[len - 1].b[3], profile.top, Part::Top),
+            base: EndPlane::new(segments[0].b[0], profile.base, Part::Base),
+            top: EndPlane::new(segments[len - 1].b[3], profile.top, Part::Top),
         };
         Self { frame, segments }
     }
@@ -237,9 +236,14 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         self.frame.middle
     }
 
-    /// Half the height, and the radius of the cylinder around it, infinite around a sheet.
-    pub(crate) fn cylinder(&self) -> (f32, f32) {
-        (self.frame.half_height, self.frame.radius)
+    /// Half the height of the cylinder around it.
+    pub(crate) fn half_height(&self) -> f32 {
+        self.frame.half_height
+    }
+
+    /// The radius of that, infinite around a sheet.
+    pub(crate) fn radius(&self) -> f32 {
+        self.frame.radius
     }
 
     /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the

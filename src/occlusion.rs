@@ -21,10 +21,9 @@ impl Solid<'_> {
     /// How far the cylinder around it reaches from its centre in a direction, times the length of that.
     #[inline(never)]
     fn reach(&self, n: F32x3) -> f32 {
-        let (half_height, radius) = self.cylinder();
         let along = dot(n, self.axis());
         let across = n - self.axis() * along;
-        half_height * along.abs() + radius * Native::sqrt(dot(across, across))
+        self.half_height() * along.abs() + self.radius() * Native::sqrt(dot(across, across))
     }
 }
 
@@ -48,16 +47,17 @@ impl Camera {
     #[inline(never)]
     pub(crate) fn distance(&self, solid: &Solid) -> u32 {
         let away = solid.centre_from(self.eye);
-        (Native::sqrt(dot(away, away)) + solid.cylinder().1).to_bits()
+        (Native::sqrt(dot(away, away)) + solid.radius()).to_bits()
     }
 
     /// Whether a plane is found between two solids, with the eye on the near one's side: then no ray meets the far one
     /// first.
     #[inline(never)]
     pub(crate) fn sees_behind(&self, far: &Solid, near: &Solid) -> bool {
-        let between = far.centre_from(near.position()) - near.centre_from(near.position());
-        let (radius, away) = (far.cylinder().1, far.centre_from(self.eye));
-        let radii = radius + near.cylinder().1;
+        let origin = near.position();
+        let between = far.centre_from(origin) - near.centre_from(origin);
+        let (radius, away) = (far.radius(), far.centre_from(self.eye));
+        let radii = radius + near.radius();
         let away = match self.projection {
             Projection::Perspective => away,
             Projection::Orthographic => self.forward * (FAR * radii),

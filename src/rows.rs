@@ -72,6 +72,7 @@ impl Picture<'_> {
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
         match self.scene.solids {
+            // There is no other that its distance is compared with.
             [solid] => self.solid(solid, 0, &row, x, part),
             solids => self.solids(solids, &row, x, part),
         }

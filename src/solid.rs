@@ -89,10 +89,14 @@ impl<'a> Solid<'a> {
         self.pose.rotation.axis()
     }
 
-    /// Half the height and the radius of the cylinder around it, in the world.
-    pub(crate) fn cylinder(&self) -> (f32, f32) {
-        let (half_height, radius) = self.lathe.cylinder();
-        (half_height * self.pose.scale, radius * self.pose.scale)
+    /// Half the height of the cylinder around it, in the world.
+    pub(crate) fn half_height(&self) -> f32 {
+        self.lathe.half_height() * self.pose.scale
+    }
+
+    /// The radius of that, infinite around a sheet.
+    pub(crate) fn radius(&self) -> f32 {
+        self.lathe.radius() * self.pose.scale
     }
 
     /// The solid as the pixels from `start` to `end` of a row see it.

@@ -14,10 +14,11 @@ impl Sweep<'_> {
         let Some(is_rising) = self.rising else {
             return i;
         };
-        let (end, up) = if is_rising { (&frame.base, -1.0) } else { (&frame.top, 1.0) };
+        let (end, z, up) =
+            if is_rising { (&frame.base, frame.low, -1.0) } else { (&frame.top, frame.high, 1.0) };
         while end.cap > 0.0 && i < self.end {
             let (m, d) = self.ray(i);
-            let p = m + d * ((end.z - m.z) / d.z);
+            let p = m + d * ((z - m.z) / d.z);
             // The flatter the ray, the farther off rounding may put the place.
             if !((end.cap - flat(p, p)) * d.z.abs() > self.doubt) {
                 break;

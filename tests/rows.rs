@@ -248,14 +248,12 @@ fn the_first_of_two_in_one_place_is_seen() {
 /// Three balls as far away, side by side, are all seen.
 #[test]
 fn all_of_three_as_far_away_are_seen() {
-    let turns = [-0.4, 0.0, 0.4].map(Rotation::about_z);
-    let places = turns.map(|turn| turn.apply([0.0, 4.0, 0.0]).to_array().map(|c| c + 0.0));
+    let [left, right] = [-0.4, 0.4].map(|angle| Rotation::about_z(angle).apply([0.0, 4.0, 0.0]).to_array());
     let ball = |place| {
         let pose = Pose::new(place, Rotation::IDENTITY, 1.0).unwrap();
         Solid::new(&scenes::BALL, Rgb::WHITE).posed(pose)
     };
     // The outer two are mirror images; the one between is put where it is as far to the last bit.
-    let [left, _, right] = places;
     let solids = [ball(left), ball(right), ball([0.0, (left[0] * left[0] + left[1] * left[1]).sqrt(), 0.0])];
     let camera = Camera::perspective([0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], 0.6).unwrap();
     let light = Light::new([0.0, -1.0, 0.0], 0.5).unwrap();
@@ -352,9 +350,9 @@ fn exact_cameras() -> Vec<Camera> {
 }
 
 /// A white solid alone, seen by a camera.
-fn compare_lone(difference: &mut Difference, lathe: &Lathe, camera: Camera, side: u32, what: &str) {
+fn compare_lone(difference: &mut Difference, solid: Solid, camera: Camera, side: u32, what: &str) {
     let (towards, ambient) = ([-0.5, -0.7, 0.5], 0.15);
-    let solids = [Solid::new(lathe, Rgb::WHITE)];
+    let solids = [solid];
     let light = Light::new(towards, ambient).unwrap();
     let scene = Scene { solids: &solids, camera, light, background: BLACK };
     difference.add(&Known { scene, colours: &[Rgb::WHITE], towards, ambient }, side, what);
@@ -366,7 +364,8 @@ fn exact_views_are_those_of_single_rays() {
     let mut difference = Difference::default();
     for (number, camera) in exact_cameras().into_iter().enumerate() {
         for side in [1, 2, 3, 60, 61] {
-            compare_lone(&mut difference, &ball, camera, side, &format!("camera {number}, {side} wide"));
+            let ball = Solid::new(&ball, Rgb::WHITE);
+            compare_lone(&mut difference, ball, camera, side, &format!("camera {number}, {side} wide"));
         }
     }
     // Nearly all pixels of a picture of next to nothing have one colour, and rounding may decide between two.
@@ -378,36 +377,24 @@ fn exact_views_are_those_of_single_rays() {
 #[test]
 fn rays_level_with_a_cap_are_those_of_single_rays() {
     let cylinder = Lathe::turn(Profile::<1>::cylinder(1.0, 0.7).unwrap());
-    let (towards, ambient, up) = ([-0.5, -0.7, 0.5], 0.15, [0.0, 0.0, 1.0]);
-    let light = Light::new(towards, ambient).unwrap();
-    let turned = Rotation::about_x(core::f32::consts::PI);
+    let up = [0.0, 0.0, 1.0];
+    let turned = Pose::new([0.0; 3], Rotation::about_x(core::f32::consts::PI), 0.410_956_62);
+    let upright = Pose::new([0.0, 0.0, 0.35], Rotation::IDENTITY, 1.0);
+    let (eye, target) = ([0.3, -5.0, 0.35], [0.2, 0.0, 0.35]);
     let views = [
-        (
-            Pose::new([0.0; 3], turned, 0.410_956_62),
-            [-0.671_061_2, 0.032_068_312, 0.0],
-            [0.0, 0.08549, 0.0],
-            up,
-            0.46,
-        ),
-        (
-            Pose::new([0.0, 0.0, 0.35], Rotation::IDENTITY, 1.0),
-            [0.3, -5.0, 0.35],
-            [0.2, 0.0, 0.35],
-            [0.3, 0.0, 1.0],
-            1.2,
-        ),
-        (Pose::new([0.0, 0.0, 0.35], Rotation::IDENTITY, 1.0), [0.3, -5.0, 0.35], [0.2, 0.0, 0.35], up, 1.2),
+        (turned, [-0.671_061_2, 0.032_068_312, 0.0], [0.0, 0.08549, 0.0], up, 0.46),
+        (upright, eye, target, [0.3, 0.0, 1.0], 1.2),
+        (upright, eye, target, up, 1.2),
     ];
     let mut difference = Difference::default();
     for (number, (pose, eye, target, up, wide)) in views.into_iter().enumerate() {
-        let solids = [Solid::new(&cylinder, Rgb::WHITE).posed(pose.unwrap())];
+        let solid = Solid::new(&cylinder, Rgb::WHITE).posed(pose.unwrap());
         let cameras =
             [Camera::perspective(eye, target, up, wide), Camera::orthographic(eye, target, up, wide)];
-        for (camera, side) in cameras.into_iter().flat_map(|camera| [(camera, 3), (camera, 60), (camera, 61)])
-        {
-            let scene = Scene { solids: &solids, camera: camera.unwrap(), light, background: BLACK };
-            let known = Known { scene, colours: &[Rgb::WHITE], towards, ambient };
-            difference.add(&known, side, &format!("view {number}, {side} wide"));
+        for camera in cameras.map(Result::unwrap) {
+            for side in [3, 60, 61] {
+                compare_lone(&mut difference, solid, camera, side, &format!("view {number}, {side} wide"));
+            }
         }
     }
     assert_eq!((difference.mask, difference.more), (0, 0), "{difference:?}");
@@ -421,7 +408,8 @@ fn a_low_ring_is_that_of_single_rays() {
     let mut difference = Difference::default();
     for height in [1e-4, 3e-4, 1e-2] {
         let ring = Lathe::turn(Profile::<1>::cylinder(1.0, height).unwrap().base(End::Open).top(End::Open));
-        compare_lone(&mut difference, &ring, camera, 60, &format!("ring {height}"));
+        let ring = Solid::new(&ring, Rgb::WHITE);
+        compare_lone(&mut difference, ring, camera, 60, &format!("ring {height}"));
     }
     assert_eq!((difference.mask, difference.more, difference.one_step), (0, 0, 0), "{difference:?}");
     assert!(difference.covered > 0, "{difference:?}");

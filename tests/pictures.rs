@@ -305,7 +305,7 @@ fn gloss_only_brightens() {
         light: valid!(Light::new([0.0, -1.0, 0.3], 1.0)),
         background: Background::Plain(Rgb::BLACK),
     };
-    for scene in [&scenes::INSIDE_SCENE, &scenes::STILL_LIFE, &ball] {
+    for scene in [&scenes::BOWL_SCENE, &scenes::STILL_LIFE, &ball] {
         let matt: Vec<_> = scene.solids.iter().map(|solid| solid.shiny(0)).collect();
         let matt = rows(&Scene { solids: &matt, ..*scene }, 60, 60, &[60], Rgb888::BLACK);
         let shiny = rows(scene, 60, 60, &[60], Rgb888::BLACK);

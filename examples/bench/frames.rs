@@ -31,7 +31,7 @@ const SCENES: [(&str, &Scene); 10] = [
     ("vase", &scenes::VASE_SCENE),
     ("tilted vase", &scenes::TILTED_SCENE),
     ("still life", &scenes::STILL_LIFE),
-    ("inside", &scenes::INSIDE_SCENE),
+    ("bowl", &scenes::BOWL_SCENE),
     ("knob", &scenes::KNOB_SCENE),
     ("vase of 64 segments", &scenes::fine::SCENE),
     ("ball", &scenes::BALL_SCENE),

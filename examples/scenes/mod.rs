@@ -85,7 +85,7 @@ pub static TILTED_SCENE: Scene = Scene {
 };
 
 /// Into a bowl from above: the inside of its wall.
-pub static INSIDE_SCENE: Scene = Scene {
+pub static BOWL_SCENE: Scene = Scene {
     solids: &[Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30)],
     camera: valid!(Camera::perspective([0.0, -1.6, 2.0], [0.0, 0.0, 0.3], [0.0, 0.0, 1.0], 0.35)),
     light: DAYLIGHT,
@@ -137,7 +137,7 @@ const CORNER_BALL: Solid = Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3)).posed(val
 /// A ball in a corner of the vase's picture, without the vase.
 pub static BALL_SCENE: Scene = Scene { solids: &[CORNER_BALL], ..VASE_SCENE };
 
-/// With the vase.
+/// The vase, and that ball in a corner.
 pub static VASE_AND_BALL: Scene = Scene { solids: &[Solid::new(&VASE, CLAY), CORNER_BALL], ..VASE_SCENE };
 
 /// A ball in the bowl: no plane parts them.
@@ -150,7 +150,7 @@ pub static BALL_IN_BOWL: Scene = Scene {
             1.0
         ))),
     ],
-    ..INSIDE_SCENE
+    ..BOWL_SCENE
 };
 
 /// A round board.
@@ -183,7 +183,7 @@ pub static PAWNS: Scene = Scene {
 pub static NAMED: [(&str, &Scene); 6] = [
     ("vase", &VASE_SCENE),
     ("tilted-vase", &TILTED_SCENE),
-    ("bowl", &INSIDE_SCENE),
+    ("bowl", &BOWL_SCENE),
     ("knob", &KNOB_SCENE),
     ("still-life", &STILL_LIFE),
     ("pawns", &PAWNS),

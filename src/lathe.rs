@@ -102,6 +102,8 @@ struct Frame {
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
     steepest: f32,
     curvature: f32,
+    /// Bounds over the whole profile.
+    cover: Cover,
     /// The lower end's plane, and the upper one's.
     base: EndPlane,
     top: EndPlane,
@@ -163,12 +165,6 @@ impl View<'_> {
         }
         index
     }
-
-    /// The whole profile's bounds.
-    #[inline(always)]
-    fn all(&self) -> Cover {
-        self.segments.first().map_or(Cover::NONE, |segment| segment.above)
-    }
 }
 
 impl<const N: usize> Lathe<[Segment; N]> {
@@ -213,6 +209,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
             radius: constant::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
+            cover: segments[0].above,
             base: EndPlane::new(segments[0].b[0], profile.base, Part::Base),
             top: EndPlane::new(segments[len - 1].b[3], profile.top, Part::Top),
         };

@@ -38,7 +38,7 @@ impl Sweep<'_> {
         let Cover { bulge, kinks } = match self.rising {
             Some(true) => self.segment.below,
             Some(false) => self.segment.above,
-            None => self.lathe.all(),
+            None => self.lathe.frame.cover,
         };
         if self.is_concave(bulge) {
             First { slope: kinks * self.steep + self.slack, ..First::UNKNOWN }

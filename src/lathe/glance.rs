@@ -50,7 +50,7 @@ impl View<'_> {
         let View { frame, segments } = *self;
         let Line { point: mut p, direction: d, q, mut back, .. } = *line;
         let rise = d.z * d.z;
-        let Cover { bulge, kinks } = self.all();
+        let Cover { bulge, kinks } = frame.cover;
         let (jump, curve) = (kinks * d.z.abs(), bulge * rise - q);
         let doubt = ROUNDING * (2.0 + frame.steepest) * (frame.size + back.abs() * (q + rise));
         if !(curve < 0.0 && doubt < MOST_DOUBT) {

@@ -61,8 +61,10 @@ impl Rgb {
     }
 }
 
-/// A colour in a display's shades, each a whole number of 2⁻²⁴ and less than 256: light is cast on it by three
-/// integer multiplications.
+/// A colour in a display's shades, in units of 2⁻²⁴ and less than 256: light is cast on it by three integer
+/// multiplications.
+///
+/// For [`Paint::shade`] each comes with half a shade more: to take the whole part is to round.
 ///
 /// ```
 /// use embedded_lathe::{Paint, Rgb, Shades};
@@ -74,7 +76,7 @@ impl Rgb {
 /// impl Paint for Red {
 ///     const SHADES: Rgb = Rgb::new(255.0, 0.0, 0.0);
 ///     fn shade(shades: Shades, _x: u32, _y: u32) -> Self {
-///         Self(((shades.r + Shades::ONE / 2) / Shades::ONE) as u8)
+///         Self((shades.r / Shades::ONE) as u8)
 ///     }
 /// }
 ///
@@ -116,6 +118,12 @@ impl Shades {
             g: self.g.wrapping_add(other.g),
             b: self.b.wrapping_add(other.b),
         }
+    }
+
+    /// With half a shade more.
+    #[inline(always)]
+    pub(crate) const fn rounded(self) -> Self {
+        self.with(Self { r: Self::ONE / 2, g: Self::ONE / 2, b: Self::ONE / 2 })
     }
 
     /// With others, no more than these, taken off.
@@ -174,12 +182,12 @@ pub trait Paint: Copy {
     /// How many shades above black red, green and blue have, no more than 255: what a share of 1 is in shades.
     const SHADES: Rgb;
 
-    /// What stands in column x, row y, for a colour in shades, each from 0 to that of `SHADES`.
+    /// What stands in column x, row y, for a colour in shades, each from 0 to that of `SHADES`, and half a shade more.
     fn shade(shades: Shades, x: u32, y: u32) -> Self;
 
     /// What stands for the colour in column x, row y.
     fn paint(colour: Rgb, x: u32, y: u32) -> Self {
-        Self::shade(colour.shades(Self::SHADES), x, y)
+        Self::shade(colour.shades(Self::SHADES).rounded(), x, y)
     }
 }
 
@@ -188,7 +196,7 @@ impl Paint for Rgb {
 
     #[inline(always)]
     fn shade(shades: Shades, _: u32, _: u32) -> Self {
-        let share = |shade: u32| shade as f32 * (1.0 / (128.0 * Shades::ONE as f32));
+        let share = |shade: u32| (shade - Shades::ONE / 2) as f32 * (1.0 / (128.0 * Shades::ONE as f32));
         Rgb::new(share(shades.r), share(shades.g), share(shades.b))
     }
 }

@@ -71,15 +71,12 @@ impl Picture<'_> {
         };
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
-        match self.scene.solids {
-            // There is no other that its distance is compared with.
-            [solid] => self.solid(solid, 0, &row, x, part),
-            solids => self.solids(solids, &row, x, part),
-        }
+        self.solids(&row, x, part);
     }
 
-    /// Several solids, the farthest first: each over those behind it.
-    fn solids<C: Paint>(&self, solids: &[Solid], row: &Row, x: u32, part: &mut [C]) {
+    /// The solids, the farthest first: each over those behind it.
+    fn solids<C: Paint>(&self, row: &Row, x: u32, part: &mut [C]) {
+        let solids = self.scene.solids;
         let (mut last, mut last_index) = (u32::MAX, 0);
         for _ in solids {
             let mut next: Option<(u32, usize, &Solid)> = None;
@@ -101,7 +98,7 @@ impl Picture<'_> {
     /// What there is before any solid is seen.
     #[inline(never)]
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
-        let shades = self.scene.background.row(y, self.height).shades(C::SHADES);
+        let shades = self.scene.background.row(y, self.height).shades(C::SHADES).rounded();
         for (pixel, x) in part.iter_mut().zip(x..) {
             *pixel = C::shade(shades, x, y);
         }

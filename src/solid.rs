@@ -122,7 +122,7 @@ impl<'a> Solid<'a> {
         Finish {
             shininess: self.shininess,
             towards: self.pose.rotation.back(light.towards) * Share::UNITS,
-            ambient,
+            ambient: ambient.rounded(),
             direct: colour.without(ambient),
         }
     }
@@ -262,7 +262,7 @@ pub(crate) struct Finish {
     shininess: u8,
     /// Towards the light, in the solid's own space: as long as a share of 1 has units.
     pub towards: F32x3,
-    /// What is seen in the shade, and what the light adds where it falls straight, in shades.
+    /// What is seen in the shade, in shades and half of one, and what the light adds where it falls straight.
     ambient: Shades,
     direct: Shades,
 }
@@ -281,7 +281,7 @@ impl Finish {
         }
         let full = const { Shades::of(C::SHADES) };
         let share = self.gloss(gradient * per_length, towards, views, column);
-        matt.with_up_to(full.dimmed(share), full)
+        matt.with_up_to(full.dimmed(share), const { Shades::of(C::SHADES).rounded() })
     }
 
     /// The share of white that a column's ray sees, given the normal and the light.

@@ -29,10 +29,10 @@ const fn luma(most: f32) -> Rgb {
     Rgb::new(0.299 * most, 0.587 * most, 0.114 * most)
 }
 
-/// The shade that three channels' come to.
+/// The shade that three channels' come to. Of their three halves one is left.
 #[inline]
 fn sum(shades: Shades) -> u32 {
-    shades.r + shades.g + shades.b
+    shades.r.wrapping_add(shades.g).wrapping_add(shades.b).wrapping_sub(Shades::ONE)
 }
 
 impl Paint for Gray8 {

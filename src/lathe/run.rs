@@ -55,8 +55,7 @@ impl Lathe {
         let distance = shift.abs() * length + frame.size;
         let rounding = ROUNDING * distance * (2.0 + frame.steepest);
         let doubt = DOUBT + rounding;
-        let is_usable =
-            least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25 && frame.steepest < 1e9;
+        let is_usable = least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25;
 
         let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
         // Rounding can do as much to a height.
@@ -94,7 +93,7 @@ impl Lathe {
             may_follow: is_usable,
             rays: Rays { origin, direction, ..run },
             shift,
-            per_unit: 1.0 / (frame.scale * unit),
+            unit: frame.scale * unit,
             middle,
             end: end - middle,
             left: middle - start,

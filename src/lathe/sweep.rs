@@ -33,9 +33,9 @@ pub(crate) struct Sweep<'a> {
     pub(super) may_follow: bool,
     /// M and D, in the frame, x scaled by √k, counted from half a pixel before the first one.
     pub(super) rays: Rays,
-    /// Where s = 0 is on the rays; that times `per_unit` is a distance along them.
+    /// Where s = 0 is on the rays; a distance along them, times `unit`, is counted in s.
     pub(super) shift: f32,
-    pub(super) per_unit: f32,
+    pub(super) unit: f32,
     /// The column that pixels are counted from: to the right from here on, or, turned, to the left from the one before.
     pub middle: u32,
     pub is_turned: bool,
@@ -152,7 +152,7 @@ impl Sweep<'_> {
     /// A ray gone alone meets the lathe here: there the next one's root is looked for.
     pub fn found(&mut self, hit: &Hit) {
         if hit.part == Part::Wall {
-            let s = hit.t / self.per_unit - self.shift;
+            let s = hit.t * self.unit - self.shift;
             self.begin(hit.segment, s, if hit.enters { 1.0 } else { -1.0 });
         }
     }

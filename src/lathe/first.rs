@@ -73,7 +73,7 @@ impl Sweep<'_> {
         let n = if sign > 0.0 { pace.pixels(room) } else { pace.pixels_within(room) };
         let is_concave = self.is_concave(segment.bulge());
         let slope = if is_concave { self.slack } else { f32::INFINITY };
-        self.first = First { slope, by_cubic: !is_concave, until: (i + 1).saturating_add(n.min(AHEAD)) };
+        self.first = First { slope, by_cubic: !is_concave, until: i + 1 + n.min(self.end - i) };
         true
     }
 
@@ -101,6 +101,3 @@ impl Sweep<'_> {
             && (!has_vertex || c2 * c2 < 4.0 * room * c3)
     }
 }
-
-/// For how many pixels a look at the segments before a root may do.
-const AHEAD: u32 = 64;

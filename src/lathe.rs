@@ -43,7 +43,7 @@ use crate::hit::{Hit, Part};
 use crate::math::constant;
 use crate::profile::{End, Profile};
 use crate::vector::{F32x3, largest, vector};
-use segment::{Cover, larger, power_of_two_for, widened};
+use segment::{larger, power_of_two_for, widened};
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
 ///
@@ -102,8 +102,9 @@ struct Frame {
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
     steepest: f32,
     curvature: f32,
-    /// Bounds over the whole profile.
-    cover: Cover,
+    /// Half the largest second derivative, or zero, and the sum of all jumps upwards of the first, at joins.
+    bulge: f32,
+    kinks: f32,
     /// The lower end's plane, and the upper one's.
     base: EndPlane,
     top: EndPlane,
@@ -185,10 +186,14 @@ impl<const N: usize> Lathe<[Segment; N]> {
             segments[i] = Segment::new(&profile.spans[i], middle, scale);
             i += 1;
         }
-        Segment::cover(&mut segments, len);
-        let (mut steepest, mut curvature) = (0.0, 0.0);
+        let (mut steepest, mut curvature, mut bulge, mut kinks) = (0.0, 0.0, 0.0, 0.0);
         let mut i = 0;
         while i < len {
+            if i + 1 < len {
+                segments[i] = segments[i].before(&segments[i + 1]);
+            }
+            bulge = larger(bulge, segments[i].bulge);
+            kinks += segments[i].kink;
             steepest = larger(steepest, segments[i].steepest());
             curvature = larger(curvature, segments[i].curvature());
             i += 1;
@@ -209,7 +214,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
             radius: constant::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
-            cover: segments[0].above,
+            bulge,
+            kinks,
             base: EndPlane::new(segments[0].b[0], profile.base, Part::Base),
             top: EndPlane::new(segments[len - 1].b[3], profile.top, Part::Top),
         };

@@ -74,24 +74,23 @@ impl Picture<'_> {
         self.solids(&row, x, part);
     }
 
-    /// The solids, the farthest first: each over those behind it.
+    /// The solids, the farthest first: each over those behind it. Of two as far away the first one goes first.
     fn solids<C: Paint>(&self, row: &Row, x: u32, part: &mut [C]) {
         let solids = self.scene.solids;
-        let (mut last, mut last_index) = (u32::MAX, 0);
-        for _ in solids {
-            let mut next: Option<(u32, usize, &Solid)> = None;
-            for (index, solid) in solids.iter().enumerate() {
-                let distance = row.camera.distance(solid);
-                let is_left = distance < last || distance == last && index > last_index;
-                if is_left && next.is_none_or(|(farthest, ..)| farthest < distance) {
-                    next = Some((distance, index, solid));
+        let mut last = u64::MAX;
+        loop {
+            let mut next = 0;
+            for (index, solid) in (0u32..).zip(solids) {
+                let order = u64::from(row.camera.distance(solid)) << 32 | u64::from(!index);
+                if order < last && order > next {
+                    next = order;
                 }
             }
-            let Some((distance, index, solid)) = next else {
+            let Some(solid) = solids.get(!(next as u32) as usize) else {
                 return;
             };
-            self.solid(solid, distance, row, x, part);
-            (last, last_index) = (distance, index);
+            self.solid(solid, (next >> 32) as u32, row, x, part);
+            last = next;
         }
     }
 

@@ -5,7 +5,7 @@
 //!
 //! `g ≤ −(A − J)·x + K·x²`, K = bulge·dz² − q, J = kinks·|dz|,
 //!
-//! with the bounds of [`Cover`](super::segment::Cover). That is negative for good where `K ≤ 0 < A − J`: one
+//! with bounds on what it may have passed. That is negative for good where `K ≤ 0 < A − J`: one
 //! comparison a pixel.
 //!
 //! Where K is positive, and where a root leaves, a look at the ray's cubics in the segments before the root's
@@ -14,7 +14,6 @@
 
 use super::clear::Pace;
 use super::path::flat;
-use super::segment::Cover;
 use super::sweep::Sweep;
 use crate::math::order::lesser;
 use crate::vector::F32x3;
@@ -33,47 +32,56 @@ impl First {
 }
 
 impl Sweep<'_> {
-    /// What the bounds of all that the rays may have passed tell.
-    pub(super) fn first_by_cover(&self) -> First {
-        let Cover { bulge, kinks } = match self.rising {
-            Some(true) => self.segment.below,
-            Some(false) => self.segment.above,
-            None => self.lathe.frame.cover,
-        };
-        if self.is_concave(bulge) {
-            First { slope: kinks * self.steep + self.slack, ..First::UNKNOWN }
-        } else {
-            First::UNKNOWN
-        }
-    }
-
-    /// Whether g is concave along all rays, before a root that enters, where nothing bulges more: K ≤ 0.
+    /// Whether g is concave along all rays where nothing bulges more: K ≤ 0.
     #[inline(always)]
     fn is_concave(&self, bulge: f32) -> bool {
-        self.sign > 0.0 && bulge * (self.steep * self.steep) <= self.q
+        bulge * (self.steep * self.steep) <= self.q
     }
 
-    /// Looks whether g keeps its sign before the i-th ray comes to the segment of its root, and for how long
-    /// it will: from there on it is for the root's slope or its cubic to tell. A root that leaves must come
+    /// Whether it is known of the root followed, from the i-th ray's on; and how, and as far as which ray. As far back from
+    /// the root as g is concave, its slope tells; what comes before that is looked at. A root that leaves must come
     /// through an open end: then g is positive before it.
-    pub(super) fn certify(&mut self, i: u32) -> bool {
-        let (path, segment, sign) = (self.path(i), self.segment, self.sign);
-        let frame = self.lathe.frame;
-        let end = if path.rises() { &frame.base } else { &frame.top };
-        if sign < 0.0 && end.part.is_some() {
-            return false;
+    ///
+    /// If the slope is `too_small` to tell as much, it has to for the root's own segment alone.
+    pub(super) fn certify(&mut self, i: u32, too_small: bool) -> bool {
+        let is_concave = self.sign > 0.0 && self.is_concave(self.segment.bulge);
+        let (mut segment, mut index, mut kinks, mut until) = (self.segment, self.index, 0.0, 0);
+        if is_concave
+            && !too_small
+            && let Some(is_rising) = self.rising
+        {
+            until = loop {
+                let is_all = if is_rising { segment.low <= self.low } else { segment.high >= self.high };
+                index = if is_rising { index.wrapping_sub(1) } else { index + 1 };
+                let Some(next) = self.lathe.segments.get(index).filter(|_| !is_all) else {
+                    break u32::MAX;
+                };
+                if !self.is_concave(next.bulge) {
+                    break 0;
+                }
+                kinks += if is_rising { next.kink } else { segment.kink };
+                segment = next;
+            };
         }
-        let (near, far) = self.reach(&path);
-        let before = (near, lesser(far, path.slab(segment.low, segment.high).0));
-        let crest = self.crest(&path, sign, before).g;
-        if !(crest < -self.doubt) {
-            return false;
+        if until == 0 {
+            let (path, sign) = (self.path(i), self.sign);
+            let frame = self.lathe.frame;
+            let end = if path.rises() { &frame.base } else { &frame.top };
+            if sign < 0.0 && end.part.is_some() {
+                return false;
+            }
+            let (near, far) = self.reach(&path);
+            let before = (near, lesser(far, path.slab(segment.low, segment.high).0));
+            let crest = self.crest(&path, sign, before).g;
+            if !(crest < -self.doubt) {
+                return false;
+            }
+            let (pace, room) = (Pace::of(self, i, before), -crest - self.doubt);
+            let n = if sign > 0.0 { pace.pixels(room) } else { pace.pixels_within(room) };
+            until = i + 1 + n.min(self.end - i);
         }
-        let (pace, room) = (Pace::of(self, i, before), -crest - self.doubt);
-        let n = if sign > 0.0 { pace.pixels(room) } else { pace.pixels_within(room) };
-        let is_concave = self.is_concave(segment.bulge());
-        let slope = if is_concave { self.slack } else { f32::INFINITY };
-        self.first = First { slope, by_cubic: !is_concave, until: i + 1 + n.min(self.end - i) };
+        let slope = if is_concave { kinks * self.steep + self.slack } else { f32::INFINITY };
+        self.first = First { slope, by_cubic: !is_concave, until };
         true
     }
 

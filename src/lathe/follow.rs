@@ -134,24 +134,18 @@ impl Sweep<'_> {
             Stop::End if i < self.first.until => return,
             Stop::Left(u) if u > 0.5 => self.index + 1,
             Stop::Left(_) => self.index.wrapping_sub(1),
+            Stop::Lost => {
+                self.following = false;
+                return;
+            }
             _ => self.index,
         };
         let is_uncertain = matches!(stop, Stop::Uncertain);
         // Not a second look in vain.
-        let may_be = self.tries > 0
-            && !matches!(stop, Stop::Lost)
-            && !(is_uncertain && self.first.until < u32::MAX)
-            && self.enter(index);
-        if may_be && !is_uncertain {
-            self.first = self.first_by_cover();
-        }
-        let is_known = !is_uncertain && self.first.slope < f32::INFINITY;
-        if !(may_be && (is_known || self.certify(i))) {
-            self.following = false;
-            // Looking would find the same root, unless there is none.
-            if !matches!(stop, Stop::Lost) {
-                self.looked = i;
-            }
+        let may_be = self.tries > 0 && !(is_uncertain && self.first.until < u32::MAX) && self.enter(index);
+        if !(may_be && self.certify(i, is_uncertain)) {
+            // Looking would find the same root.
+            (self.following, self.looked) = (false, i);
         }
     }
 }

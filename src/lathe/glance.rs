@@ -1,7 +1,7 @@
 //! What most rays meet, told without a walk.
 //!
 //! At a place on a ray, at the heights of the solid, g is known, and its slope. Everywhere else it lies below a
-//! parabola, by the bounds of a [`Cover`]: over the distance s from there,
+//! parabola, by the whole profile's bounds: over the distance s from there,
 //!
 //! `g ≤ c0 + (|c1| + J)·|s| + K·s²`, J = kinks·|dz|, K = bulge·dz² − q.
 //!
@@ -17,7 +17,6 @@
 use super::line::Line;
 use super::path::flat;
 use super::run::ROUNDING;
-use super::segment::Cover;
 use super::{View, is_beyond};
 use crate::hit::{Hit, Part};
 use crate::math::order::greater;
@@ -50,8 +49,7 @@ impl View<'_> {
         let View { frame, segments } = *self;
         let Line { point: mut p, direction: d, q, mut back, .. } = *line;
         let rise = d.z * d.z;
-        let Cover { bulge, kinks } = frame.cover;
-        let (jump, curve) = (kinks * d.z.abs(), bulge * rise - q);
+        let (jump, curve) = (frame.kinks * d.z.abs(), frame.bulge * rise - q);
         let doubt = ROUNDING * (2.0 + frame.steepest) * (frame.size + back.abs() * (q + rise));
         if !(curve < 0.0 && doubt < MOST_DOUBT) {
             return Glance::Unclear;

@@ -73,7 +73,7 @@ impl Lathe {
                 && frame.squash == 1.0
                 && (end - start).is_multiple_of(2)
                 && half * lopsided < rounding
-                && lopsided * lopsided < rounding * rounding * dot(m1, m1);
+                && lopsided < 0.5 * rounding * one_norm(m1);
             let middle = if is_mirrored {
                 start + (end - start) / 2
             } else {

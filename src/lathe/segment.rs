@@ -9,7 +9,7 @@ use crate::vector::F32x3;
 ///
 /// ```
 /// use embedded_lathe::Segment;
-/// assert_eq!(core::mem::size_of::<Segment>(), 68);
+/// assert_eq!(core::mem::size_of::<Segment>(), 60);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -27,29 +27,10 @@ pub struct Segment {
     /// The square of the radius of a cylinder around the segment, wide enough that a point on it is outside
     /// whatever rounding does.
     pub(super) reach: f32,
-    /// Bounds over this segment and all below it, and over this and all above.
-    pub(super) below: Cover,
-    pub(super) above: Cover,
-}
-
-/// What a part of the profile can do to a ray that passes it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Cover {
-    /// Half the largest second derivative of the squared radius by height, or zero.
-    pub bulge: f32,
-    /// The sum of all jumps upwards of the first, at joins.
-    pub kinks: f32,
-}
-
-impl Cover {
-    pub const NONE: Self = Self { bulge: 0.0, kinks: 0.0 };
-
-    /// With one segment more, beyond a jump.
-    const fn and(self, segment: &Segment, jump: f32) -> Self {
-        let jump = if jump <= 0.0 { 0.0 } else { jump };
-        Self { bulge: larger(self.bulge, segment.bulge()), kinks: self.kinks + jump }
-    }
+    /// Half the largest second derivative of the squared radius by height.
+    pub(super) bulge: f32,
+    /// By how much the first jumps upwards where this segment ends and the next begins, or zero.
+    pub(super) kink: f32,
 }
 
 /// The larger of two numbers, or that which is none: what a segment of no height in the frame leaves unknown stays so.
@@ -77,8 +58,8 @@ impl Segment {
         b: [0.0; 4],
         narrowest: 0.0,
         reach: 0.0,
-        below: Cover::NONE,
-        above: Cover::NONE,
+        bulge: 0.0,
+        kink: 0.0,
     };
 
     pub(super) const fn new(span: &Span, middle: f32, scale: f32) -> Self {
@@ -86,23 +67,21 @@ impl Segment {
         let [b0, b1, b2, b3] = span.b;
         let b = [b0 * square, b1 * square, b2 * square, b3 * square];
         let (low, high) = ((span.z - middle) * scale, (span.top - middle) * scale);
+        let per_height = 1.0 / (high - low);
+        let f = crate::cubic::Cubic::from_bernstein(b).c;
+        let [_, _, c2, c3] = f;
         Self {
             low,
             high,
-            per_height: 1.0 / (high - low),
-            f: crate::cubic::Cubic::from_bernstein(b).c,
+            per_height,
+            f,
             b,
             narrowest: low + span.narrowest * (high - low),
             reach: widened(span.largest * square),
-            below: Cover::NONE,
-            above: Cover::NONE,
+            // The second derivative of a cubic is largest at an end.
+            bulge: larger(c2, c2 + 3.0 * c3) * per_height * per_height,
+            kink: 0.0,
         }
-    }
-
-    /// Half the largest second derivative by height: the second derivative of a cubic is largest at an end.
-    pub(super) const fn bulge(&self) -> f32 {
-        let [_, _, c2, c3] = self.f;
-        larger(c2, c2 + 3.0 * c3) * self.per_height * self.per_height
     }
 
     /// Half the largest second derivative by height, whatever its sign.
@@ -117,30 +96,11 @@ impl Segment {
         3.0 * (b1 - b0).abs().max((b2 - b1).abs()).max((b3 - b2).abs()) * self.per_height
     }
 
-    /// By how much the first derivative by height jumps upwards where this segment ends and the next begins.
-    const fn jump(&self, next: &Self) -> f32 {
-        3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height
-    }
-
-    /// Finds the covers of each of the first `len` segments.
-    pub(super) const fn cover(segments: &mut [Self], len: usize) {
-        let mut i = 0;
-        while i < len {
-            let (below, jump) = match i {
-                0 => (Cover::NONE, 0.0),
-                _ => (segments[i - 1].below, segments[i - 1].jump(&segments[i])),
-            };
-            segments[i].below = below.and(&segments[i], jump);
-            i += 1;
-        }
-        while i > 0 {
-            i -= 1;
-            let (above, jump) = match i + 1 < len {
-                true => (segments[i + 1].above, segments[i].jump(&segments[i + 1])),
-                false => (Cover::NONE, 0.0),
-            };
-            segments[i].above = above.and(&segments[i], jump);
-        }
+    /// The same, before another.
+    pub(super) const fn before(self, next: &Self) -> Self {
+        let jump =
+            3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height;
+        Self { kink: if jump <= 0.0 { 0.0 } else { jump }, ..self }
     }
 
     /// The profile's parameter at a height of the frame, held to the segment.

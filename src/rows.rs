@@ -78,7 +78,7 @@ impl Picture<'_> {
     fn solids<C: Paint>(&self, row: &Row, x: u32, part: &mut [C]) {
         let solids = self.scene.solids;
         let mut last = u64::MAX;
-        loop {
+        for _ in 0..solids.len() {
             let mut next = 0;
             for (index, solid) in (0u32..).zip(solids) {
                 let order = u64::from(row.camera.distance(solid)) << 32 | u64::from(!index);

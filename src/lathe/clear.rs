@@ -68,11 +68,7 @@ impl Sweep<'_> {
             return i;
         }
         let left = self.end - i - 1;
-        let clear = match crest.g {
-            // The same heights all along the row, and nothing there.
-            f32::NEG_INFINITY if self.drift == 0.0 => left,
-            g => Pace::of(self, i, reach).pixels(-g - self.doubt),
-        };
+        let clear = Pace::of(self, i, reach).pixels(-crest.g - self.doubt);
         i + 1 + clear.min(left)
     }
 }

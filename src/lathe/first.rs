@@ -32,19 +32,13 @@ impl First {
 }
 
 impl Sweep<'_> {
-    /// Whether g is concave along all rays where nothing bulges more: K ≤ 0.
-    #[inline(always)]
-    fn is_concave(&self, bulge: f32) -> bool {
-        bulge * (self.steep * self.steep) <= self.q
-    }
-
     /// Whether it is known of the root followed, from the i-th ray's on; and how, and as far as which ray. As far back from
     /// the root as g is concave, its slope tells; what comes before that is looked at. A root that leaves must come
     /// through an open end: then g is positive before it.
     ///
     /// If the slope is `too_small` to tell as much, it has to for the root's own segment alone.
     pub(super) fn certify(&mut self, i: u32, too_small: bool) -> bool {
-        let is_concave = self.sign > 0.0 && self.is_concave(self.segment.bulge);
+        let is_concave = self.sign > 0.0 && self.segment.bulge <= self.bulge;
         let (mut segment, mut index, mut kinks, mut until) = (self.segment, self.index, 0.0, 0);
         if is_concave
             && !too_small
@@ -56,7 +50,7 @@ impl Sweep<'_> {
                 let Some(next) = self.lathe.segments.get(index).filter(|_| !is_all) else {
                     break u32::MAX;
                 };
-                if !self.is_concave(next.bulge) {
+                if !(next.bulge <= self.bulge) {
                     break 0;
                 }
                 kinks += if is_rising { next.kink } else { segment.kink };

@@ -35,8 +35,9 @@ pub(crate) enum Stop {
     End,
     /// It is not known to be the first.
     Uncertain,
-    /// It has left the segment at this u.
-    Left(f32),
+    /// It has left the segment, into the one above or the one below.
+    Above,
+    Below,
     /// There is none.
     Lost,
 }
@@ -99,7 +100,7 @@ impl Sweep<'_> {
                 }
                 let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
                 if (u - from).to_bits() > width {
-                    stop = Stop::Left(u);
+                    stop = if u > 0.5 { Stop::Above } else { Stop::Below };
                     break 'pixels;
                 }
                 if !(steep > certain || self.is_first_by_cubic(u, steep, back, d)) {
@@ -132,8 +133,8 @@ impl Sweep<'_> {
         self.tries -= 1;
         let index = match stop {
             Stop::End if i < self.first.until => return,
-            Stop::Left(u) if u > 0.5 => self.index + 1,
-            Stop::Left(_) => self.index.wrapping_sub(1),
+            Stop::Above => self.index + 1,
+            Stop::Below => self.index.wrapping_sub(1),
             Stop::Lost => {
                 self.following = false;
                 return;

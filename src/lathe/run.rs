@@ -104,7 +104,7 @@ impl Lathe {
             high,
             steep,
             rising: (is_usable && dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
-            q,
+            bulge: q / (steep * steep),
             drift,
             doubt,
             slack: 4.0 * Native::sqrt(doubt),

@@ -49,9 +49,10 @@ pub(crate) struct Sweep<'a> {
     /// From where to where in height rays of the run can meet the solid.
     pub(super) low: f32,
     pub(super) high: f32,
-    /// The largest |dz| and the least q of any ray of the run.
+    /// The largest |dz| of any ray of the run.
     pub(super) steep: f32,
-    pub(super) q: f32,
+    /// Where the profile bulges no more than this g is concave along all of them: the least q/dz².
+    pub(super) bulge: f32,
     /// Whether they rise, or fall; neither, if some do either, or nothing may be followed.
     pub(super) rising: Option<bool>,
     /// The largest |∂z/∂i| within the span.

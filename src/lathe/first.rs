@@ -3,14 +3,13 @@
 //! An entering root's own slope tells, most often. With A = dg/ds there, no more than J turned at the kinks of
 //! what the ray may have passed before it, and `g″ ≤ 2K` between kinks, x before the root
 //!
-//! `g ≤ −(A − J)·x + K·x²`, K = bulge·dz² − q, J = kinks·|dz|,
+//! `g ≤ −(A − J)·x + K·x²`, K = bulge·dz² − q, J = kinks·|dz|.
 //!
-//! with bounds on what it may have passed. That is negative for good where `K ≤ 0 < A − J`: one
-//! comparison a pixel.
+//! That is negative where `K ≤ 0 < A − J`: one comparison a pixel, as far back as one segment after another has K ≤ 0.
 //!
-//! Where K is positive, and where a root leaves, a look at the ray's cubics in the segments before the root's
-//! tells that g keeps its sign there, and for how many pixels more. In the root's own segment its K tells, if
-//! that is not positive, and otherwise that segment's cubic, pixel by pixel.
+//! From the first segment back that has K > 0, a look at the ray's cubics tells that g keeps its sign, and for how many
+//! pixels more. Is that the root's own, or does the root leave, the look ends where the ray enters the segment, and the
+//! segment's cubic tells the rest, pixel by pixel.
 
 use super::clear::Pace;
 use super::path::flat;
@@ -32,11 +31,10 @@ impl First {
 }
 
 impl Sweep<'_> {
-    /// Whether it is known of the root followed, from the i-th ray's on; and how, and as far as which ray. As far back from
-    /// the root as g is concave, its slope tells; what comes before that is looked at. A root that leaves must come
-    /// through an open end: then g is positive before it.
+    /// Whether it is known of the root followed, from the i-th ray's on; how, and as far as which ray, is kept. A root that
+    /// leaves must come through an open end: then g is positive before it.
     ///
-    /// If the slope is `too_small` to tell as much, it has to for the root's own segment alone.
+    /// If its slope is `too_small` for all that it could tell of, it is to tell of the root's own segment only.
     pub(super) fn certify(&mut self, i: u32, too_small: bool) -> bool {
         let is_concave = self.sign > 0.0 && self.segment.bulge <= self.bulge;
         let (mut segment, mut index, mut kinks, mut until) = (self.segment, self.index, 0.0, 0);

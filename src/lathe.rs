@@ -11,7 +11,7 @@
 //! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so
 //! along a chord g is a cubic, and because it is formed about the chord's point nearest to the axis, every
 //! number in it has the size of the segment, whatever the ray's origin or slope. A chord whose nearest point
-//! lies outside the segment's cylinder is passed over.
+//! lies outside the segment's cylinder is passed over, but by a ray inside.
 //!
 //! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.

@@ -20,16 +20,23 @@ pub(super) struct Chord<'a> {
 }
 
 impl<'a> Chord<'a> {
-    /// The chord between two of the path's t, unless all of it lies outside the segment's cylinder.
+    /// The chord between two of the path's t, unless all of it lies outside the segment's cylinder, and the ray where it
+    /// begins: if it is inside, it has left the solid there by less than rounding, and the crossing is still to be found.
     ///
     /// g is reckoned about the point nearest to the axis, where x² + y² is least, unless f and x² + y² are less
     /// where the segment is narrowest, as they can be for a steep ray: so that by a pole or in a narrow neck
     /// the coefficients are as small as the solid is there.
     #[inline(always)]
-    pub fn new(path: &'a Path, segment: &'a Segment, index: usize, [from, to]: [f32; 2]) -> Option<Self> {
+    pub fn new(
+        path: &'a Path,
+        segment: &'a Segment,
+        index: usize,
+        [from, to]: [f32; 2],
+        inside: bool,
+    ) -> Option<Self> {
         let mut origin = path.closest(from, to);
         let square = path.around(origin).0;
-        if square > segment.reach {
+        if square > segment.reach && !inside {
             return None;
         }
         let mut g = path.g_about(segment, origin);

@@ -54,25 +54,22 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     let mut at = enter;
     while let Some(segment) = segments.get(index) {
         let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
-        match Chord::new(path, segment, index, [at, end]) {
-            None => inside = false,
-            Some(chord) => {
-                if SIGNS && at > first && chord.crosses::<S>(inside) && path.distance(end) < f32::INFINITY {
-                    return meet(chord.hit(0.0, !inside)).break_value();
-                }
-                let mut from = chord.from;
-                for _ in 0..3 {
-                    let Some(s) = chord.crossing::<S>(from, inside) else { break };
-                    inside = !inside;
-                    let hit = chord.hit(s, inside);
-                    if is_beyond(hit.t, since) {
-                        since = f32::NEG_INFINITY;
-                        if let ControlFlow::Break(found) = meet(hit) {
-                            return Some(found);
-                        }
+        if let Some(chord) = Chord::new(path, segment, index, [at, end], inside) {
+            if SIGNS && at > first && chord.crosses::<S>(inside) && path.distance(end) < f32::INFINITY {
+                return meet(chord.hit(0.0, !inside)).break_value();
+            }
+            let mut from = chord.from;
+            for _ in 0..3 {
+                let Some(s) = chord.crossing::<S>(from, inside) else { break };
+                inside = !inside;
+                let hit = chord.hit(s, inside);
+                if is_beyond(hit.t, since) {
+                    since = f32::NEG_INFINITY;
+                    if let ControlFlow::Break(found) = meet(hit) {
+                        return Some(found);
                     }
-                    from = s;
                 }
+                from = s;
             }
         }
         at = end;

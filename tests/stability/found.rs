@@ -193,6 +193,19 @@ fn a_waist_of_no_radius() {
     hourglass([-0.34456694, 0.90732765, -1.2490969], [0.17228347, -0.45366383, 0.8743612]);
 }
 
+/// A body that ends on a thread of no radius: what is inside it to within rounding is outside the thread by all there is.
+#[test]
+fn the_end_of_a_thread() {
+    met_unsure(
+        4.0 * PROMISE * (-24f64).exp2(),
+        &[0.0, 0.421875, 2.421875, 8.421875],
+        &[0.0, 0.0, 0.0, 0.0, 0.9979553, 0.0006713867, 3.0517578e-5, 0.0015716553, 0.0, 0.0],
+        0.0,
+        [-2.0945234, 0.00023378986, 0.44240683],
+        [0.27340698, -3.0517578e-5, -0.0015487671],
+    );
+}
+
 /// A disc a million times wider than high.
 #[test]
 fn any_hit_and_all_hits_of_a_sheet() {

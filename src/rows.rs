@@ -71,12 +71,15 @@ impl Picture<'_> {
         };
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
-        self.solids(&row, x, part);
+        match self.scene.solids {
+            // There is no other that its distance is compared with.
+            [solid] => self.solid(solid, 0, &row, x, part),
+            solids => self.solids(solids, &row, x, part),
+        }
     }
 
     /// The solids, the farthest first: each over those behind it. Of two as far away the first one goes first.
-    fn solids<C: Paint>(&self, row: &Row, x: u32, part: &mut [C]) {
-        let solids = self.scene.solids;
+    fn solids<C: Paint>(&self, solids: &[Solid], row: &Row, x: u32, part: &mut [C]) {
         let mut last = u64::MAX;
         for _ in 0..solids.len() {
             let mut next = 0;

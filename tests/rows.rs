@@ -373,6 +373,26 @@ fn exact_views_are_those_of_single_rays() {
     assert!(difference.covered * 2 > difference.pixels, "{difference:?}");
 }
 
+/// A plate on a stalk, its edge rounded over 3·10⁻⁵: there a step of Newton's may end where no root is, and what is left
+/// of it told nothing.
+#[test]
+fn edges_all_but_sharp_are_those_of_single_rays() {
+    let [knots, stalk] = [[-0.3, 0.0, 3e-5, 0.30003], [0.23228319; 4]];
+    let plate = [&stalk[..], &[0.8, 1.1804416, 0.99, 0.6, 0.5, 0.4]].concat();
+    let plate = Lathe::turn(Profile::<3>::new(&knots, &plate).unwrap().closed());
+    let (eye, at) = ([-0.7208667, -3.0, -1.2772677], [0.0, 0.0, 0.1]);
+    let cameras = [
+        Camera::perspective(eye, at, [0.2, 0.0, 1.0], 0.4),
+        Camera::orthographic(eye, at, [0.3, 0.0, 1.0], 1.2),
+    ];
+    let mut difference = Difference::default();
+    for camera in cameras {
+        compare_lone(&mut difference, Solid::new(&plate, Rgb::WHITE), camera.unwrap(), 240, "plate");
+    }
+    assert_eq!((difference.mask, difference.more), (0, 0), "{difference:?}");
+    assert!(difference.covered * 8 > difference.pixels, "{difference:?}");
+}
+
 /// Rays in a cap's very plane, or as near to it as rounding tells, meet the rim or not, as single rays do.
 #[test]
 fn rays_level_with_a_cap_are_those_of_single_rays() {

@@ -126,8 +126,7 @@ impl Sweep<'_> {
         (i, stop)
     }
 
-    /// Where a root is followed no farther, it may still be certain: in the next segment, by the bounds of that; or
-    /// in its own, by a look at what comes before.
+    /// Where a root is followed no farther, it may still be certain: in the next segment, or by a look at what comes before.
     #[inline(never)]
     pub fn stopped(&mut self, i: u32, stop: Stop) {
         self.tries -= 1;

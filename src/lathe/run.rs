@@ -86,6 +86,8 @@ impl Lathe {
         let (origin, direction) = run.at(middle as f32 - 0.5 - centre);
         // No ray of a usable run is longer than three halves of the one half way.
         let longest = 2.25 * square;
+        // Half of g″ on any of them.
+        let bend = longest + frame.curvature * (steep * steep);
         Sweep {
             lathe,
             is_far,
@@ -107,8 +109,8 @@ impl Lathe {
             bulge: q / (steep * steep),
             drift,
             doubt,
-            slack: 4.0 * Native::sqrt(doubt),
-            tolerance: ROOT / (longest + frame.curvature * (steep * steep)),
+            slack: greater(4.0 * Native::sqrt(doubt), 16.0 * ROOT * bend),
+            tolerance: ROOT / bend,
             following: false,
             sign: 1.0,
             s: 0.0,

@@ -61,10 +61,10 @@ impl Rgb {
     }
 }
 
-/// A colour in a display's shades, in units of 2⁻²⁴ and less than 256: light is cast on it by three integer
+/// A colour in a display's shades, in units of 2⁻²³ and less than 256: light is cast on it by three integer
 /// multiplications.
 ///
-/// For [`Paint::shade`] each comes with half a shade more: to take the whole part is to round.
+/// For [`Paint::shade`] each comes with half a shade more, and so never with less: to take the whole part is to round.
 ///
 /// ```
 /// use embedded_lathe::{Paint, Rgb, Shades};
@@ -95,7 +95,7 @@ pub struct Shades {
 
 impl Shades {
     /// One shade.
-    pub const ONE: u32 = 1 << 24;
+    pub const ONE: u32 = 1 << 23;
 
     /// As many as given, each less than 256.
     pub(crate) const fn of(shades: Rgb) -> Self {
@@ -138,9 +138,9 @@ impl Shades {
     /// With others added, each channel as far as `most`.
     pub(crate) fn with_up_to(self, other: Self, most: Self) -> Self {
         Self {
-            r: self.r.saturating_add(other.r).min(most.r),
-            g: self.g.saturating_add(other.g).min(most.g),
-            b: self.b.saturating_add(other.b).min(most.b),
+            r: self.r.wrapping_add(other.r).min(most.r),
+            g: self.g.wrapping_add(other.g).min(most.g),
+            b: self.b.wrapping_add(other.b).min(most.b),
         }
     }
 }
@@ -196,7 +196,8 @@ impl Paint for Rgb {
 
     #[inline(always)]
     fn shade(shades: Shades, _: u32, _: u32) -> Self {
-        let share = |shade: u32| (shade - Shades::ONE / 2) as f32 * (1.0 / (128.0 * Shades::ONE as f32));
+        let share =
+            |shade: u32| shade.saturating_sub(Shades::ONE / 2) as f32 * (1.0 / (128.0 * Shades::ONE as f32));
         Rgb::new(share(shades.r), share(shades.g), share(shades.b))
     }
 }

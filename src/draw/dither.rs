@@ -10,10 +10,12 @@ pub(super) const fn threshold(x: u32, y: u32) -> u32 {
     (mixed & 1) << 5 | (y & 1) << 4 | (mixed & 2) << 2 | (y & 2) << 1 | (mixed & 4) >> 1 | (y & 4) >> 2
 }
 
-/// A whole shade for a broken one, such that its mean over 8×8 pixels is that, within 1/128; given half a shade more.
+/// A whole shade for a broken one, such that its mean over 8×8 pixels is that, within 1/128; given three halves of a shade
+/// more.
 #[inline]
 pub(super) const fn dithered(shade: u32, x: u32, y: u32) -> u8 {
-    ((shade + (2 * threshold(x, y) + 1) * (Shades::ONE / 128) - Shades::ONE / 2) / Shades::ONE) as u8
+    let threshold = (2 * threshold(x, y) + 1) * (Shades::ONE / 128);
+    ((shade + threshold).saturating_sub(Shades::ONE / 2 * 3) / Shades::ONE) as u8
 }
 
 /// The nearest whole shade, given half a shade more.

@@ -29,10 +29,10 @@ const fn luma(most: f32) -> Rgb {
     Rgb::new(0.299 * most, 0.587 * most, 0.114 * most)
 }
 
-/// The shade that three channels' come to. Of their three halves one is left.
+/// The shade that three channels' come to, and three halves of one more.
 #[inline]
 fn sum(shades: Shades) -> u32 {
-    shades.r.wrapping_add(shades.g).wrapping_add(shades.b).wrapping_sub(Shades::ONE)
+    shades.r + shades.g + shades.b
 }
 
 impl Paint for Gray8 {
@@ -40,7 +40,7 @@ impl Paint for Gray8 {
 
     #[inline]
     fn shade(shades: Shades, _: u32, _: u32) -> Self {
-        Self::new(nearest(sum(shades)))
+        Self::new(nearest(sum(shades).saturating_sub(Shades::ONE)))
     }
 }
 

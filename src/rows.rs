@@ -71,15 +71,12 @@ impl Picture<'_> {
         };
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
-        match self.scene.solids {
-            // There is no other that its distance is compared with.
-            [solid] => self.solid(solid, 0, &row, x, part),
-            solids => self.solids(solids, &row, x, part),
-        }
+        self.solids(&row, x, part);
     }
 
     /// The solids, the farthest first: each over those behind it. Of two as far away the first one goes first.
-    fn solids<C: Paint>(&self, solids: &[Solid], row: &Row, x: u32, part: &mut [C]) {
+    fn solids<C: Paint>(&self, row: &Row, x: u32, part: &mut [C]) {
+        let solids = self.scene.solids;
         let mut last = u64::MAX;
         for _ in 0..solids.len() {
             let mut next = 0;

@@ -35,9 +35,8 @@ pub(crate) enum Stop {
     End,
     /// It is not known to be the first.
     Uncertain,
-    /// It has left the segment, into the one above or the one below.
-    Above,
-    Below,
+    /// It has left the segment for the one so many farther up.
+    Left(usize),
     /// There is none.
     Lost,
 }
@@ -100,7 +99,7 @@ impl Sweep<'_> {
                 }
                 let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
                 if (u - from).to_bits() > width {
-                    stop = if u > 0.5 { Stop::Above } else { Stop::Below };
+                    stop = Stop::Left(if u > 0.5 { 1 } else { usize::MAX });
                     break 'pixels;
                 }
                 if !(steep > certain || self.is_first_by_cubic(u, steep, back, d)) {
@@ -132,8 +131,7 @@ impl Sweep<'_> {
         self.tries -= 1;
         let index = match stop {
             Stop::End if i < self.first.until => return,
-            Stop::Above => self.index + 1,
-            Stop::Below => self.index.wrapping_sub(1),
+            Stop::Left(step) => self.index.wrapping_add(step),
             Stop::Lost => {
                 self.following = false;
                 return;

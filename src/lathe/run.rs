@@ -109,7 +109,7 @@ impl Lathe {
             bulge: q / (steep * steep),
             drift,
             doubt,
-            slack: greater(4.0 * Native::sqrt(doubt), 16.0 * ROOT * bend),
+            slack: 4.0 * Native::sqrt(doubt) + 16.0 * ROOT * bend,
             tolerance: ROOT / bend,
             following: false,
             sign: 1.0,

@@ -59,7 +59,7 @@ pub(crate) struct Sweep<'a> {
     pub(super) drift: f32,
     /// What lies nearer than this to a decision, in g or in z, is not decided here.
     pub(super) doubt: f32,
-    /// The slope that a root must have: behind it g comes to more than that, A² > 4·q·doubt, if nothing bends it more than
+    /// The slope that a root must have: behind it g comes to more than doubt, A² > 4·q·doubt, if nothing bends it more than
     /// q; and there is one where a step leaves off, whatever bends it.
     pub(super) slack: f32,
     /// A step s leaves an error of `s²/slope` over this.

@@ -230,16 +230,15 @@ impl<C: Paint> Canvas<'_, C> {
         // A pixel and its mirror image, which is nowhere if there is none.
         let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
         let opposite = mirrored.unwrap_or(finish.towards);
-        let views = along.views;
-        along.follow(i, to, |seen| {
+        along.follow(i, to, |seen, views| {
             let column = x + at as u32;
             if let Some(pixel) = run.get_mut(at) {
-                *pixel = C::shade(finish.shades::<C>(column, seen, &finish.towards, &views), column, y);
+                *pixel = C::shade(finish.shades::<C>(column, seen, &finish.towards, views), column, y);
             }
             let at_opposite = both.wrapping_sub(at);
             if let Some(pixel) = run.get_mut(at_opposite) {
                 *pixel =
-                    C::shade(finish.shades::<C>(column, seen, &opposite, &views), x + at_opposite as u32, y);
+                    C::shade(finish.shades::<C>(column, seen, &opposite, views), x + at_opposite as u32, y);
             }
             at = at.wrapping_add(step);
         })

@@ -205,8 +205,9 @@ impl SolidRow<'_> {
     /// Follows it from the i-th pixel up to another. The first pixel that it is not certain of, if any, is the one
     /// returned.
     #[inline(always)]
-    pub fn follow(&mut self, i: u32, to: u32, see: impl FnMut(&Seen)) -> (u32, Stop) {
-        self.sweep.follow(i, to, see)
+    pub fn follow(&mut self, i: u32, to: u32, mut see: impl FnMut(&Seen, &Views)) -> (u32, Stop) {
+        let Self { views, sweep, .. } = self;
+        sweep.follow(i, to, |seen| see(seen, views))
     }
 
     /// The root was followed up to the i-th pixel, and why no farther: there may be another way to go on.

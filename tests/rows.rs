@@ -393,6 +393,28 @@ fn edges_all_but_sharp_are_those_of_single_rays() {
     assert!(difference.covered * 8 > difference.pixels, "{difference:?}");
 }
 
+/// An hourglass of two funnels, open at the top: its waist hides the wall below that a ray left it by one pixel before.
+#[test]
+fn a_waist_seen_from_within_is_that_of_single_rays() {
+    let glass = [1.0, 0.7, 0.4, 0.1, 0.4, 0.7, 1.0];
+    let glass = Profile::<2>::new(&[-1.0, 0.0, 1.0], &glass).unwrap().base(End::Capped).top(End::Open);
+    let glass = Lathe::turn(glass);
+    let mut difference = Difference::default();
+    for (eye, width) in [([0.0, -1.0, 4.0], 0.4), ([0.0, -2.0, 3.0], 0.4), ([0.0, -3.0, 3.0], 0.4)] {
+        for up in [[0.0, 0.0, 1.0], [0.4, 0.0, 1.0]] {
+            let camera = Camera::perspective(eye, [0.0, 0.0, 0.3], up, width).unwrap();
+            compare_lone(
+                &mut difference,
+                Solid::new(&glass, Rgb::WHITE),
+                camera,
+                120,
+                &format!("from {eye:?}"),
+            );
+        }
+    }
+    difference.assert_none();
+}
+
 /// Rays in a cap's very plane, or as near to it as rounding tells, meet the rim or not, as single rays do.
 #[test]
 fn rays_level_with_a_cap_are_those_of_single_rays() {

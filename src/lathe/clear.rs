@@ -25,7 +25,7 @@ impl Sweep<'_> {
         let step = if path.rises() { 1 } else { usize::MAX };
         let mut index = self.lathe.index_at(path.height(near));
         let mut from = near;
-        while from < far
+        while from <= far
             && let Some(segment) = segments.get(index)
         {
             let (_, to) = path.slab(segment.low, segment.high);
@@ -44,7 +44,10 @@ impl Sweep<'_> {
                     }
                 }
             }
-            crest.g = greater(crest.g, most_here);
+            crest.g = greater(most_here, crest.g);
+            if !(to < far) {
+                break;
+            }
             from = to;
             index = index.wrapping_add(step);
         }
@@ -68,7 +71,7 @@ impl Sweep<'_> {
             return i;
         }
         let left = self.end - i - 1;
-        let clear = Pace::of(self, i, reach).pixels(-crest.g - self.doubt);
+        let clear = Pace::of(self, i, reach).pixels(1.0, -crest.g - self.doubt);
         i + 1 + clear.min(left)
     }
 }
@@ -87,8 +90,8 @@ pub(super) struct Pace {
     /// The heights are those of s from here to there.
     from: f32,
     to: f32,
-    /// For so many pixels the rays go on rising or falling, no less than 7/8 as steeply: so the points at a
-    /// height move no more than 8/7 as fast. And they come to a height by no more than four spans elsewhere.
+    /// One over the number of pixels for which the rays go on rising or falling, no less than 7/8 as steeply, and come to
+    /// a height by no more than four spans elsewhere.
     level: f32,
 }
 
@@ -99,9 +102,10 @@ impl Pace {
         let (m1, d1) = (sweep.rays.origin_step, sweep.rays.direction_step);
         // The point of height z moves by as much as the ray does, and along it so far that z stays.
         let (per_dz, level) = if sweep.drift > 0.0 {
-            (1.0 / d.z, d.z.abs() / (8.0 * d1.z.abs() + 0.25 * sweep.drift / sweep.span))
+            let per_dz = 1.0 / d.z;
+            (per_dz, (8.0 * d1.z.abs() + 0.25 * sweep.drift / sweep.span) * per_dz.abs())
         } else {
-            (0.0, f32::INFINITY)
+            (0.0, 0.0)
         };
         let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
         let p = [flat(m, v0), flat(m, v1) + flat(d, v0), flat(d, v1)].map(|p| -2.0 * p);
@@ -129,21 +133,18 @@ impl Pace {
         sign * self.at(from) + highest(sign * (p1 + 2.0 * p2 * from), sign * p2, 0.0, to - from)
     }
 
-    /// How many pixels there are before g, `room` below zero now, can have come to zero anywhere: in n of them it
-    /// grows by n times its pace, or less.
-    pub fn pixels(&self, room: f32) -> u32 {
-        let most = self.most(1.0);
-        let n = if most <= 0.0 { f32::INFINITY } else { 0.875 * room / most };
-        lesser(n, self.level) as u32
-    }
-
-    /// How many pixels there are before g, `room` above zero now, can have come to zero anywhere: as the square
-    /// of the distance from the axis it falls by no more than n times its pace and n² times the square of how far
-    /// the point moves, v². That is no more than `n·(pace + √(room·v²))` where n is no more than √(room/v²).
-    pub fn pixels_within(&self, room: f32) -> u32 {
-        let pace = greater(0.0, self.most(-1.0));
-        let square = greater(self.square_at(self.from), self.square_at(self.to));
-        lesser(0.875 / (pace / room + Native::sqrt(square / room)), self.level) as u32
+    /// How many pixels there are before g, `room` below zero now, or, for −1, above, can have come to zero anywhere.
+    ///
+    /// In n of them it grows by n times its pace, or less; it falls by as much, and by n² times the square of how far
+    /// the point moves, v². Where rays become level, n of them move the points as far as `n/(1 − n·level/8)` did at the
+    /// pace of the first.
+    pub fn pixels(&self, sign: f32, room: f32) -> u32 {
+        let pace = greater(0.0, self.most(sign));
+        let square =
+            if sign < 0.0 { greater(self.square_at(self.from), self.square_at(self.to)) } else { 0.0 };
+        // One over the n that takes all the room, nothing if there is no end of room.
+        let rate = (pace + Native::sqrt(pace * pace + 4.0 * square * room)) / (2.0 * room);
+        (1.0 / greater(self.level, rate + 0.125 * self.level)) as u32
     }
 }
 

@@ -136,12 +136,10 @@ impl Sweep<'_> {
                 self.following = false;
                 return;
             }
-            _ => self.index,
+            Stop::Uncertain => usize::MAX,
+            Stop::End => self.index,
         };
-        let is_uncertain = matches!(stop, Stop::Uncertain);
-        // Not a second look in vain.
-        let may_be = self.tries > 0 && !(is_uncertain && self.first.until < u32::MAX) && self.enter(index);
-        if !(may_be && self.certify(i, is_uncertain)) {
+        if !(self.tries > 0 && self.enter(index) && self.certify(i)) {
             // Looking would find the same root.
             (self.following, self.looked) = (false, i);
         }

@@ -86,7 +86,7 @@ impl Lathe {
         let (origin, direction) = run.at(middle as f32 - 0.5 - centre);
         // No ray of a usable run is longer than three halves of the one half way.
         let longest = 2.25 * square;
-        // Half of g″ on any of them.
+        // A bound on half of g″ on any of them.
         let bend = longest + frame.curvature * (steep * steep);
         Sweep {
             lathe,

@@ -415,6 +415,22 @@ fn a_waist_seen_from_within_is_that_of_single_rays() {
     difference.assert_none();
 }
 
+/// Rays so nearly level that they come into an open end's plane far outside the solid.
+#[test]
+fn rays_nearly_level_with_an_open_end_are_those_of_single_rays() {
+    let cone = Profile::<1>::new(&[0.0, 0.65], &[0.74, 0.43, 0.22, 0.1]).unwrap().closed().top(End::Open);
+    let cone = Lathe::turn(cone);
+    let mut difference = Difference::default();
+    for part in 0..40 {
+        // Rows run along the axis, and pixels are so far apart that one ray at most comes through the open end.
+        let height = 0.5 + part as f32 / (40.0 * 16.0);
+        let (eye, at, up) = ([0.0, -5.0, height + 0.004], [0.0, 0.0, height], [1.0, 0.0, 0.0]);
+        let camera = Camera::orthographic(eye, at, up, 0.5).unwrap();
+        compare_lone(&mut difference, Solid::new(&cone, Rgb::WHITE), camera, 16, &format!("height {height}"));
+    }
+    difference.assert_none();
+}
+
 /// Rays in a cap's very plane, or as near to it as rounding tells, meet the rim or not, as single rays do.
 #[test]
 fn rays_level_with_a_cap_are_those_of_single_rays() {

@@ -66,7 +66,9 @@ impl Sweep<'_> {
                 return false;
             }
             let (near, far) = self.reach(&path);
-            let before = (near, lesser(far, path.slab(segment.low, segment.high).0));
+            let far = lesser(far, path.slab(segment.low, segment.high).0);
+            // Where that begins, too, however far away, if more than the slope must tell of what follows.
+            let before = (if enters && is_concave { near } else { lesser(near, far) }, far);
             let crest = self.crest(&path, sign, before).g;
             if !(crest < -self.doubt) {
                 return false;

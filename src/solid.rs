@@ -253,8 +253,8 @@ impl SolidRow<'_> {
         }
         let gradient = solid.lathe.gradient_at(ray.at(hit.t), &hit);
         // Very flat or very tall profiles have gradients whose squares are not numbers.
-        let gradient = gradient * (1.0 / largest(gradient));
-        Some((hit.t, Seen::new(gradient, if hit.enters { 1.0 } else { -1.0 })))
+        let side = if hit.enters { 1.0 } else { -1.0 };
+        Some((hit.t, Seen::new(gradient * (side / largest(gradient)))))
     }
 }
 

@@ -95,8 +95,8 @@ impl Sweep<'_> {
         let [_, _, f2, f3] = self.segment.f;
         let kappa = d.z.abs();
         let square = kappa * kappa;
-        let c2 = self.sign * ((3.0 * f3 * u + f2) * square - flat(d, d));
-        let slope = slope - 2.0 * c2 * back;
+        let bend = (3.0 * f3 * u + f2) * square - flat(d, d);
+        let (c2, slope) = (self.sign * bend, slope - 2.0 * bend * back);
         slope > self.slack && c2 * c2.abs() < 4.0 * (slope - self.doubt) * kappa * (self.first.bump * square)
     }
 }

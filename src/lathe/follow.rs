@@ -9,17 +9,16 @@ use crate::vector::{F32x3, Vector, vector};
 /// What a ray sees of the surface.
 #[derive(Clone, Copy)]
 pub(crate) struct Seen {
-    /// A vector along the outward normal, in object space.
+    /// A vector along the normal of the side that is seen, in object space.
     pub gradient: F32x3,
-    /// One over its length; negative where the ray leaves the solid, and sees the wall's other side.
+    /// One over its length.
     pub per_length: f32,
 }
 
 impl Seen {
-    /// Given 1 where the ray enters the solid, −1 where it leaves it.
     #[inline(always)]
-    pub fn new(gradient: F32x3, sign: f32) -> Self {
-        Self { gradient, per_length: sign * inverse_root(gradient.dot(gradient)) }
+    pub fn new(gradient: F32x3) -> Self {
+        Self { gradient, per_length: inverse_root(gradient.dot(gradient)) }
     }
 }
 
@@ -53,17 +52,21 @@ impl Sweep<'_> {
     #[inline(always)]
     pub fn follow(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen)) -> (u32, Stop) {
         let segment = self.segment;
-        let own = |v: F32x3, from: f32| vector([v.x, v.y, (v.z - from) * segment.per_height]);
+        // A root that leaves is one that enters if the ray is turned round. In the mirror, too, y is the other way: then the
+        // normal is that of the other side.
+        let sign = self.sign;
+        let point = |p: F32x3, low: f32| vector([p.x, sign * p.y, (p.z - low) * segment.per_height]);
+        let toward = |d: F32x3| vector([sign * d.x, d.y, d.z * (sign * segment.per_height)]);
         let (m, d) = self.ray(i);
-        let (mut m, mut d) = (own(m, segment.low), own(d, 0.0));
-        let (m1, d1) = (own(self.rays.origin_step, 0.0), own(self.rays.direction_step, 0.0));
+        let (mut m, mut d) = (point(m, segment.low), toward(d));
+        let (m1, d1) = (point(self.rays.origin_step, 0.0), toward(self.rays.direction_step));
         let [c0, c1, c2, c3] = segment.f;
         // Half of −F′, as a gradient has it.
-        let along = -0.5 * segment.per_height;
+        let along = -0.5 * sign * segment.per_height;
         let [e0, e1, e2] = [along * c1, along * 2.0 * c2, along * 3.0 * c3];
-        let root_squash = self.lathe.frame.root_squash;
+        let root_squash = sign * self.lathe.frame.root_squash;
         let certain = self.first.slope;
-        let (sign, tolerance) = (self.sign, self.tolerance);
+        let tolerance = self.tolerance;
         // At the solid's ends roots are in doubt.
         let pad = self.doubt * segment.per_height;
         let from = if self.index == 0 { pad } else { 0.0 };
@@ -84,10 +87,9 @@ impl Sweep<'_> {
                 let f = p1 * u + c0;
                 let f1 = (c3u + p2) * u + p1;
                 let b = x * d.x + y * d.y;
-                let slope = f1 * d.z - (b + b);
-                let back = (f - (x * x + y * y)) / slope;
+                let steep = f1 * d.z - (b + b);
+                let back = (f - (x * x + y * y)) / steep;
                 s -= back;
-                let steep = sign * slope;
                 if !(back * back <= tolerance * steep) {
                     seldom();
                     tries -= 1;
@@ -107,7 +109,7 @@ impl Sweep<'_> {
                     break 'pixels;
                 }
                 let e = (e2 * u + e1) * u + e0;
-                see(&Seen::new(vector([root_squash * x, y, e]), sign));
+                see(&Seen::new(vector([root_squash * x, y, e])));
                 break;
             }
             // As far again, and by how much that grew again.

@@ -147,7 +147,7 @@ impl Sweep<'_> {
 
     /// There is a root near s in that segment to follow from the next pixel asked for on.
     pub(super) fn begin(&mut self, index: usize, s: f32, sign: f32) {
-        (self.sign, self.s, self.step, self.bend, self.tries) = (sign, s, 0.0, 0.0, STEPS);
+        (self.sign, self.s, self.step, self.bend, self.tries) = (sign, sign * s, 0.0, 0.0, STEPS);
         (self.index, self.first.until, self.following) = (index, 0, self.may_follow);
     }
 

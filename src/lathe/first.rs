@@ -8,9 +8,12 @@
 //! That is negative where `K ≤ 0 < A − J`: one comparison a pixel, as far back as one segment after another has K ≤ 0.
 //! Before a root that leaves, through as many of them, a g that is positive where they begin stays so.
 //!
-//! At the first segment back that has K > 0, or a kink that matters, a look at the ray's cubics tells that g keeps its sign
-//! before that, and for how many pixels more. In a root's own segment it takes no more than that where g does not change
-//! from concave to convex the wrong way; where it does, the slope must be steep, or the segment's cubic tells, pixel by pixel.
+//! That ends with a segment that has K > 0, or a kink that is more than rounding. There a look at the ray's cubics tells
+//! that g keeps its sign before, and for how many pixels more.
+//!
+//! In a root's own segment, whatever its K, g keeps its sign if it has it where the ray comes in, and, going back from the
+//! root, does not bend the wrong way first and the right way then: that is for the sign of F‴·dz to tell. Where it may, the
+//! slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height, or else the segment's cubic is asked, pixel by pixel.
 
 use super::clear::Pace;
 use super::path::flat;
@@ -18,11 +21,14 @@ use super::sweep::Sweep;
 use crate::math::order::lesser;
 use crate::vector::F32x3;
 
-/// How a root is known to be the first, before the pixel `until`: by its slope, if that is more than `slope`,
-/// or, if there is a `bump`, by the cubic in its own segment.
+/// How a root is known to be the first.
 pub(super) struct First {
+    /// If its slope is more than this, by that.
     pub slope: f32,
+    /// If not, by the cubic in its own segment: c₃, in the segment's u, over that of a ray with du/ds = 1. Zero if that
+    /// would not tell more.
     pub bump: f32,
+    /// Before this pixel.
     pub until: u32,
 }
 

@@ -131,17 +131,19 @@ impl Sweep<'_> {
     #[inline(never)]
     pub fn stopped(&mut self, i: u32, stop: Stop) {
         self.tries -= 1;
-        let index = match stop {
+        let step = match stop {
             Stop::End if i < self.first.until => return,
-            Stop::Left(step) => self.index.wrapping_add(step),
             Stop::Lost => {
                 self.following = false;
                 return;
             }
-            Stop::Uncertain => usize::MAX,
-            Stop::End => self.index,
+            Stop::Uncertain => None,
+            Stop::End => Some(0),
+            Stop::Left(step) => Some(step),
         };
-        if !(self.tries > 0 && self.enter(index) && self.certify(i)) {
+        let may_be =
+            step.filter(|_| self.tries > 0).is_some_and(|step| self.enter(self.index.wrapping_add(step)));
+        if !(may_be && self.certify(i)) {
             // Looking would find the same root.
             (self.following, self.looked) = (false, i);
         }

@@ -16,10 +16,8 @@
 //! slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height, or else the segment's cubic is asked, pixel by pixel.
 
 use super::clear::Pace;
-use super::path::flat;
 use super::sweep::Sweep;
 use crate::math::order::lesser;
-use crate::vector::F32x3;
 
 /// How a root is known to be the first.
 pub(super) struct First {
@@ -97,11 +95,11 @@ impl Sweep<'_> {
     /// and the bracket has no zero on that way.
     #[cold]
     #[inline(never)]
-    pub(super) fn is_first_by_cubic(&self, u: f32, slope: f32, back: f32, d: F32x3) -> bool {
+    pub(super) fn is_first_by_cubic(&self, u: f32, slope: f32, back: f32, q: f32, dz: f32) -> bool {
         let [_, _, f2, f3] = self.segment.f;
-        let kappa = d.z.abs();
+        let kappa = dz.abs();
         let square = kappa * kappa;
-        let bend = (3.0 * f3 * u + f2) * square - flat(d, d);
+        let bend = (3.0 * f3 * u + f2) * square - q;
         let (c2, slope) = (self.sign * bend, slope - 2.0 * bend * back);
         slope > self.slack && c2 * c2.abs() < 4.0 * (slope - self.doubt) * kappa * (self.first.bump * square)
     }

@@ -1,5 +1,6 @@
 //! A root, followed from ray to ray: the innermost loop.
 
+use super::path::flat;
 use super::sweep::Sweep;
 use crate::math::inverse_root;
 use crate::math::order::greater;
@@ -104,7 +105,7 @@ impl Sweep<'_> {
                     stop = Stop::Left(if u > 0.5 { 1 } else { usize::MAX });
                     break 'pixels;
                 }
-                if !(steep > certain || self.is_first_by_cubic(u, steep, back, d)) {
+                if !(steep > certain || self.is_first_by_cubic(u, steep, back, flat(d, d), d.z)) {
                     stop = Stop::Uncertain;
                     break 'pixels;
                 }

@@ -69,7 +69,7 @@ pub(crate) struct Sweep<'a> {
     pub(super) following: bool,
     pub(super) sign: f32,
     /// Where it is looked for at the next pixel, how far it moved at the last one, and how much farther than
-    /// before.
+    /// before: in s, or, if it leaves, in −s, along the ray turned round.
     pub(super) s: f32,
     pub(super) step: f32,
     pub(super) bend: f32,

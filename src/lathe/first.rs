@@ -16,6 +16,7 @@
 //! slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height, or else the segment's cubic is asked, pixel by pixel.
 
 use super::clear::Pace;
+use super::segment::Segment;
 use super::sweep::Sweep;
 use crate::math::order::lesser;
 
@@ -36,10 +37,9 @@ impl First {
 }
 
 impl Sweep<'_> {
-    /// Whether it is known of the root followed, from the i-th ray's on; how, and as far as which ray, is kept. A root that
-    /// leaves must come through an open end: then g is positive before it.
+    /// Whether it is known of the root followed, from the i-th ray's on; how, and as far as which ray, is kept.
     pub(super) fn certify(&mut self, i: u32) -> bool {
-        let (mut segment, mut index, mut kinks, mut until) = (self.segment, self.index, 0.0, 0);
+        let (mut segment, mut index, mut kinks, mut is_all) = (self.segment, self.index, 0.0, false);
         let (enters, is_concave) = (self.sign > 0.0, segment.bulge <= self.bulge);
         let [_, _, _, f3] = segment.f;
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
@@ -48,45 +48,53 @@ impl Sweep<'_> {
                 bump = 0.0;
             }
             if is_concave || !enters && bump == 0.0 {
-                until = loop {
-                    let is_all = if is_rising { segment.low <= self.low } else { segment.high >= self.high };
+                // As far back as g is concave, but for rounding.
+                loop {
+                    is_all = if is_rising { segment.low <= self.low } else { segment.high >= self.high };
                     index = if is_rising { index.wrapping_sub(1) } else { index + 1 };
                     let Some(next) = self.lathe.segments.get(index).filter(|_| !is_all) else {
-                        break if enters { u32::MAX } else { 0 };
+                        break;
                     };
                     let passed = kinks + if is_rising { next.kink } else { segment.kink };
                     if !(next.bulge <= self.bulge && passed * self.steep * self.span < 0.25 * self.doubt) {
-                        break 0;
+                        break;
                     }
                     (kinks, segment) = (passed, next);
-                };
+                }
             }
         }
-        if until == 0 {
-            let (path, sign) = (self.path(i), self.sign);
-            let frame = self.lathe.frame;
-            let end = if path.rises() { &frame.base } else { &frame.top };
-            if !enters && end.part.is_some() {
-                return false;
-            }
-            let (near, far) = self.reach(&path);
-            let far = lesser(far, path.slab(segment.low, segment.high).0);
-            // Where that begins, too, however far away, if more than the slope must tell of what follows.
-            let before = (if enters && is_concave { near } else { lesser(near, far) }, far);
-            let crest = self.crest(&path, sign, before).g;
-            if !(crest < -self.doubt) {
-                return false;
-            }
-            let pace = Pace::of(self, i, before);
-            until = i + 1 + pace.pixels(sign, -crest - self.doubt).min(self.end - i);
-        }
+        let until = if enters && is_all { Some(u32::MAX) } else { self.looked_before(i, segment) };
+        let Some(until) = until else {
+            return false;
+        };
         let slope = (kinks + bump * segment.per_height) * self.steep + self.slack;
         self.first = First { slope, bump, until };
         true
     }
 
+    /// The pixel as far as which g is known to keep its sign before the rays come to a segment, by a look at the i-th. A root
+    /// that leaves must come through an open end: then g is positive before it.
+    #[inline(always)]
+    fn looked_before(&self, i: u32, segment: &Segment) -> Option<u32> {
+        let (path, sign) = (self.path(i), self.sign);
+        let frame = self.lathe.frame;
+        let end = if path.rises() { &frame.base } else { &frame.top };
+        if sign < 0.0 && end.part.is_some() {
+            return None;
+        }
+        let (near, far) = self.reach(&path);
+        let far = lesser(far, path.slab(segment.low, segment.high).0);
+        // Where that begins, too, however far away, if more than the slope must tell of what follows.
+        let by_slope = sign > 0.0 && self.segment.bulge <= self.bulge;
+        let before = (if by_slope { near } else { lesser(near, far) }, far);
+        let crest = self.crest(&path, sign, before).g;
+        let pixels = || Pace::of(self, i, before).pixels(sign, -crest - self.doubt);
+        (crest < -self.doubt).then(|| i + 1 + pixels().min(self.end - i))
+    }
+
     /// Whether g keeps its sign from where a ray comes to the segment of a root as far as the root, given the root's
-    /// u, the slope at so much beyond it as Newton's last step went back, and the ray's D in the segment's u.
+    /// u, the slope at so much beyond it as Newton's last step went back, the ray's q, and its dz in the segment's
+    /// u.
     ///
     /// With κ = |du/ds|, A the slope at the root, and y the way back from it in u,
     ///
@@ -99,8 +107,8 @@ impl Sweep<'_> {
         let [_, _, f2, f3] = self.segment.f;
         let kappa = dz.abs();
         let square = kappa * kappa;
-        let bend = (3.0 * f3 * u + f2) * square - q;
-        let (c2, slope) = (self.sign * bend, slope - 2.0 * bend * back);
+        let curve = (3.0 * f3 * u + f2) * square - q;
+        let (c2, slope) = (self.sign * curve, slope - 2.0 * curve * back);
         slope > self.slack && c2 * c2.abs() < 4.0 * (slope - self.doubt) * kappa * (self.first.bump * square)
     }
 }

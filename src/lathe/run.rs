@@ -87,7 +87,7 @@ impl Lathe {
         // No ray of a usable run is longer than three halves of the one half way.
         let longest = 2.25 * square;
         // A bound on half of g″ on any of them.
-        let bend = longest + frame.curvature * (steep * steep);
+        let most = longest + frame.curvature * (steep * steep);
         Sweep {
             lathe,
             is_far,
@@ -109,8 +109,8 @@ impl Lathe {
             bulge: q / (steep * steep),
             drift,
             doubt,
-            slack: 4.0 * Native::sqrt(doubt) + 16.0 * ROOT * bend,
-            tolerance: ROOT / bend,
+            slack: 4.0 * Native::sqrt(doubt) + 16.0 * ROOT * most,
+            tolerance: ROOT / most,
             following: false,
             sign: 1.0,
             s: 0.0,

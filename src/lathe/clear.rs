@@ -57,7 +57,8 @@ impl Sweep<'_> {
     /// With no root to follow, the next pixel that may see something, from the i-th on: none before it does. The
     /// i-th itself, if it may; then a root is followed, if it is known where to.
     pub(super) fn clear_until(&mut self, i: u32) -> u32 {
-        let path = self.path(i);
+        let ray = self.ray(i);
+        let path = self.path(ray);
         // Level with an end's plane, it may meet the rim.
         if (path.z.abs() - self.lathe.frame.high).abs() + path.dz.abs() < self.doubt {
             return i;
@@ -71,7 +72,7 @@ impl Sweep<'_> {
             return i;
         }
         let left = self.end - i - 1;
-        let clear = Pace::of(self, i, reach).pixels(1.0, -crest.g - self.doubt);
+        let clear = Pace::of(self, ray, path.per_dz, reach).pixels(1.0, -crest.g - self.doubt);
         i + 1 + clear.min(left)
     }
 }
@@ -97,12 +98,10 @@ pub(super) struct Pace {
 
 impl Pace {
     /// From the i-th ray on, at the heights that it has between two points.
-    pub fn of(sweep: &Sweep, i: u32, (from, to): (f32, f32)) -> Self {
-        let (m, d) = sweep.ray(i);
+    pub fn of(sweep: &Sweep, (m, d): (F32x3, F32x3), per_dz: f32, (from, to): (f32, f32)) -> Self {
         let (m1, d1) = (sweep.rays.origin_step, sweep.rays.direction_step);
         // The point of height z moves by as much as the ray does, and along it so far that z stays.
         let (per_dz, level) = if sweep.drift > 0.0 {
-            let per_dz = 1.0 / d.z;
             (per_dz, (8.0 * d1.z.abs() + 0.25 * sweep.drift / sweep.span) * per_dz.abs())
         } else {
             (0.0, 0.0)

@@ -76,7 +76,8 @@ impl Sweep<'_> {
     /// that leaves must come through an open end: then g is positive before it.
     #[inline(always)]
     fn looked_before(&self, i: u32, segment: &Segment) -> Option<u32> {
-        let (path, sign) = (self.path(i), self.sign);
+        let ray = self.ray(i);
+        let (path, sign) = (self.path(ray), self.sign);
         let frame = self.lathe.frame;
         let end = if path.rises() { &frame.base } else { &frame.top };
         if sign < 0.0 && end.part.is_some() {
@@ -88,7 +89,7 @@ impl Sweep<'_> {
         let by_slope = sign > 0.0 && self.segment.bulge <= self.bulge;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
         let crest = self.crest(&path, sign, before).g;
-        let pixels = || Pace::of(self, i, before).pixels(sign, -crest - self.doubt);
+        let pixels = || Pace::of(self, ray, path.per_dz, before).pixels(sign, -crest - self.doubt);
         (crest < -self.doubt).then(|| i + 1 + pixels().min(self.end - i))
     }
 

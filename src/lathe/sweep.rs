@@ -90,9 +90,8 @@ impl Sweep<'_> {
         self.rays.at(i as f32 + 0.5)
     }
 
-    /// The i-th ray.
-    pub(super) fn path(&self, i: u32) -> Path {
-        let (point, direction) = self.ray(i);
+    /// A ray of it.
+    pub(super) fn path(&self, (point, direction): (F32x3, F32x3)) -> Path {
         Path::of(&Line { point, direction, q: flat(direction, direction), back: 0.0, unit: 1.0 })
     }
 

@@ -170,10 +170,12 @@ impl<C: Paint> Canvas<'_, C> {
                 (i, saw) = (next, false);
                 continue;
             }
-            let next = self.cap(along, i);
-            if next > i {
-                i = next;
-                continue;
+            if let Some(cap) = along.cap_ahead() {
+                let next = self.cap(along, i, cap);
+                if next > i {
+                    i = next;
+                    continue;
+                }
             }
             // Beside a ray gone alone that met it a look would be in vain.
             if !saw && let Some(next) = along.look(i) {
@@ -201,8 +203,8 @@ impl<C: Paint> Canvas<'_, C> {
 
     /// What the rays from i on see that come in through a cap. The first that does not is the one returned.
     #[inline(never)]
-    fn cap(&mut self, along: &SolidRow, i: u32) -> u32 {
-        along.cap(i, |i, seen| {
+    fn cap(&mut self, along: &SolidRow, i: u32, cap: f32) -> u32 {
+        along.cap(i, cap, |i, seen| {
             if self.mirrored.is_some() {
                 self.put(along.opposite(i), seen, &along.views);
             }

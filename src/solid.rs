@@ -215,10 +215,16 @@ impl SolidRow<'_> {
         self.sweep.stopped(i, stop);
     }
 
+    /// As [`Sweep::cap_ahead`].
+    #[inline(always)]
+    pub fn cap_ahead(&self) -> Option<f32> {
+        self.sweep.cap_ahead()
+    }
+
     /// As [`Sweep::cap`].
     #[inline(always)]
-    pub fn cap(&self, i: u32, see: impl FnMut(u32, &Seen)) -> u32 {
-        self.sweep.cap(i, see)
+    pub fn cap(&self, i: u32, cap: f32, see: impl FnMut(u32, &Seen)) -> u32 {
+        self.sweep.cap(i, cap, see)
     }
 
     /// As [`Sweep::look`]. Apart, as `alone` is: their stacks are not both needed.

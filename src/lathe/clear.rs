@@ -57,23 +57,26 @@ impl Sweep<'_> {
     /// With no root to follow, the next pixel that may see something, from the i-th on: none before it does. The
     /// i-th itself, if it may; then a root is followed, if it is known where to.
     pub(super) fn clear_until(&mut self, i: u32) -> u32 {
-        let ray = self.ray(i);
-        let path = self.path(ray);
-        // Level with an end's plane, it may meet the rim.
-        if (path.z.abs() - self.lathe.frame.high).abs() + path.dz.abs() < self.doubt {
-            return i;
-        }
-        let reach = self.reach(&path);
-        let crest = self.crest(&path, 1.0, reach);
-        if !(crest.g < -self.doubt) {
-            if let Some((index, s, sign)) = crest.entry {
-                self.begin(index, s, sign);
+        // The left half begins where the right one did.
+        if i > 0 || self.entry.is_none() {
+            let ray = self.ray(i);
+            let path = self.path(ray);
+            // Level with an end's plane, it may meet the rim.
+            if (path.z.abs() - self.lathe.frame.high).abs() + path.dz.abs() < self.doubt {
+                return i;
             }
-            return i;
+            let reach = self.reach(&path);
+            let crest = self.crest(&path, 1.0, reach);
+            if crest.g < -self.doubt {
+                let clear = Pace::of(self, ray, path.per_dz, reach).pixels(1.0, -crest.g - self.doubt);
+                return (i + 1).saturating_add(clear);
+            }
+            self.entry = crest.entry;
         }
-        let left = self.end - i - 1;
-        let clear = Pace::of(self, ray, path.per_dz, reach).pixels(1.0, -crest.g - self.doubt);
-        i + 1 + clear.min(left)
+        if let Some((index, s, sign)) = self.entry {
+            self.begin(index, s, sign);
+        }
+        i
     }
 }
 
@@ -91,6 +94,8 @@ pub(super) struct Pace {
     /// The heights are those of s from here to there.
     from: f32,
     to: f32,
+    /// By what part of itself dz falls from pixel to pixel, or, negative, grows.
+    turn: f32,
     /// One over the number of pixels for which the rays go on rising or falling, no less than 7/8 as steeply, and come to
     /// a height by no more than four spans elsewhere.
     level: f32,
@@ -101,14 +106,12 @@ impl Pace {
     pub fn of(sweep: &Sweep, (m, d): (F32x3, F32x3), per_dz: f32, (from, to): (f32, f32)) -> Self {
         let (m1, d1) = (sweep.rays.origin_step, sweep.rays.direction_step);
         // The point of height z moves by as much as the ray does, and along it so far that z stays.
-        let (per_dz, level) = if sweep.drift > 0.0 {
-            (per_dz, (8.0 * d1.z.abs() + 0.25 * sweep.drift / sweep.span) * per_dz.abs())
-        } else {
-            (0.0, 0.0)
-        };
+        let per_dz = if sweep.drift > 0.0 { per_dz } else { 0.0 };
+        let turn = -d1.z * per_dz;
+        let level = greater(sweep.drift * per_dz.abs(), 8.0 * turn);
         let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
         let p = [flat(m, v0), flat(m, v1) + flat(d, v0), flat(d, v1)].map(|p| -2.0 * p);
-        Self { v: [v0, v1], p, from, to, level }
+        Self { v: [v0, v1], p, from, to, turn, level }
     }
 
     /// At the height of s.
@@ -135,15 +138,15 @@ impl Pace {
     /// How many pixels there are before g, `room` below zero now, or, for −1, above, can have come to zero anywhere.
     ///
     /// In n of them it grows by n times its pace, or less; it falls by as much, and by n² times the square of how far
-    /// the point moves, v². Where rays become level, n of them move the points as far as `n/(1 − n·level/8)` did at the
-    /// pace of the first.
+    /// the point moves, v². Where dz turns, n of them move the points as far as `n/(1 − n·turn)` did at the pace of the
+    /// first.
     pub fn pixels(&self, sign: f32, room: f32) -> u32 {
-        let pace = greater(0.0, self.most(sign));
+        let pace = self.most(sign);
         let square =
             if sign < 0.0 { greater(self.square_at(self.from), self.square_at(self.to)) } else { 0.0 };
         // One over the n that takes all the room, nothing if there is no end of room.
         let rate = (pace + Native::sqrt(pace * pace + 4.0 * square * room)) / (2.0 * room);
-        (1.0 / greater(self.level, rate + 0.125 * self.level)) as u32
+        (1.0 / greater(self.level, rate + self.turn)) as u32
     }
 }
 

@@ -90,7 +90,7 @@ impl Sweep<'_> {
         let before = (if by_slope { near } else { lesser(near, far) }, far);
         let crest = self.crest(&path, sign, before).g;
         let pixels = || Pace::of(self, ray, path.per_dz, before).pixels(sign, -crest - self.doubt);
-        (crest < -self.doubt).then(|| i + 1 + pixels().min(self.end - i))
+        (crest < -self.doubt).then(|| (i + 1).saturating_add(pixels()))
     }
 
     /// Whether g keeps its sign from where a ray comes to the segment of a root as far as the root, given the root's

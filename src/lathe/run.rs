@@ -107,7 +107,7 @@ impl Lathe {
             steep,
             rising: (is_usable && dc.z.abs() > half * d1.z.abs()).then_some(dc.z > 0.0),
             bulge: q / (steep * steep),
-            drift,
+            drift: 0.25 * drift / span,
             doubt,
             slack: 4.0 * Native::sqrt(doubt) + 16.0 * ROOT * most,
             tolerance: ROOT / most,
@@ -119,6 +119,7 @@ impl Lathe {
             index: 0,
             segment: lathe.segments.first().unwrap_or(&Segment::EMPTY),
             first: First::UNKNOWN,
+            entry: None,
             looked: u32::MAX,
             tries: STEPS,
         }
@@ -155,13 +156,12 @@ impl Plane {
     }
 }
 
-/// How many pixels from the one half way the ray is that passes nearest to a point.
+/// How many pixels from the one half way the ray is, about, that passes nearest to a point.
 #[inline(always)]
 fn towards(run: &Rays, point: F32x3) -> f32 {
     let Rays { origin, origin_step, direction, direction_step } = *run;
-    let per_square = 1.0 / dot(direction, direction);
     let there = point - origin;
-    let step = origin_step + direction_step * (dot(there, direction) * per_square);
-    let across = step - direction * (dot(step, direction) * per_square);
-    dot(there, across) / dot(across, across)
+    let along = dot(there, direction) / dot(direction, direction);
+    let step = origin_step + direction_step * along;
+    dot(there - direction * along, step) / dot(step, step)
 }

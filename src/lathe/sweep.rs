@@ -55,7 +55,7 @@ pub(crate) struct Sweep<'a> {
     pub(super) bulge: f32,
     /// Whether they rise, or fall; neither, if some do either, or nothing may be followed.
     pub(super) rising: Option<bool>,
-    /// The largest |∂z/∂i| within the span.
+    /// The largest |∂z/∂i| within the span, in four spans.
     pub(super) drift: f32,
     /// What lies nearer than this to a decision, in g or in z, is not decided here.
     pub(super) doubt: f32,
@@ -82,6 +82,8 @@ pub(crate) struct Sweep<'a> {
     pub(super) looked: u32,
     /// How often something else may be tried at one pixel.
     pub(super) tries: u32,
+    /// The root that the first pixel's ray may meet, if it was looked for: segment, place and sign.
+    pub(super) entry: Option<(usize, f32, f32)>,
 }
 
 impl Sweep<'_> {
@@ -98,7 +100,7 @@ impl Sweep<'_> {
     /// From where to where rays can meet the solid at the height that this one has there: it itself, and as many more
     /// as [`Pace`](super::clear::Pace) reckons with, which come to a height up to four spans earlier or later.
     pub(super) fn reach(&self, path: &Path) -> (f32, f32) {
-        let span = if self.drift > 0.0 { 5.0 * self.span } else { self.span };
+        let span = 5.0 * self.span;
         let (near, far) = path.slab(self.low, self.high);
         (greater(-span, near), lesser(span, far))
     }

@@ -50,6 +50,17 @@ impl Cubic {
         (3.0 * c3 * u + (c2 + c2)) * u + c1
     }
 
+    /// The value at u and the derivative, by one scheme.
+    #[inline(always)]
+    pub(crate) const fn with_slope(&self, u: f32) -> (f32, f32) {
+        let [c0, c1, c2, c3] = self.c;
+        let turn = c3 * u;
+        let bend = turn + c2;
+        let lean = bend * u + c1;
+        let slope = (turn + bend) * u + lean;
+        (lean * u + c0, slope)
+    }
+
     /// `Σ |cⱼ·uʲ|`: what the rounding of the value is measured against.
     pub const fn size(&self, u: f32) -> f32 {
         let [c0, c1, c2, c3] = self.c;

@@ -1,11 +1,11 @@
 //! A profile made ready to meet rays.
 //!
 //! ```text
-//! Ray ── Line ─────────┬─ Path ── Chord ─────────────── Cubic ──────── crossings ── Hit
-//!        the ray in    │          what of it lies in    g about the    where g
-//!        the lathe's   │          one segment's slab    chord's        changes
-//!        own frame     │                                narrowest      sign
-//!                      └─ a glance: most rays need no more
+//! Ray ─┬─ Line ──────── Path ── Chord ─────────────── Cubic ──────── crossings ── Hit
+//!      │  the ray in           what of it lies in    g about the    where g
+//!      │  the lathe's          one segment's slab    chord's        changes
+//!      │  own frame                                  narrowest      sign
+//!      └─ a glance: most rays need no more
 //! ```
 //!
 //! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so
@@ -70,7 +70,7 @@ use segment::{larger, power_of_two_for, widened};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lathe<S: ?Sized = [Segment]> {
     frame: Frame,
-    /// As many as the frame says, then spare room.
+    /// As many as the frame says, then spare room, empty.
     segments: S,
 }
 
@@ -102,12 +102,19 @@ struct Frame {
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
     steepest: f32,
     curvature: f32,
-    /// Half the largest second derivative, or zero, and the sum of all jumps upwards of the first, at joins.
+    /// Half the largest second derivative, or zero, and half the sum of all jumps upwards of the first, at joins.
     bulge: f32,
     kinks: f32,
     /// The lower end's plane, and the upper one's.
     base: EndPlane,
     top: EndPlane,
+    /// A power of two, no less than half of `len`: the first step of a search.
+    stride: usize,
+    /// √k·scale: a ray's moment about the axis, in object space, times this is that in the frame.
+    across: f32,
+    /// What doubt is made of: see `glance.rs`.
+    rounding: f32,
+    room: f32,
 }
 
 /// What the plane of an end holds, in the frame.
@@ -153,18 +160,19 @@ struct View<'a> {
 }
 
 impl View<'_> {
-    /// The number of the segment at a height, by steps of half of what remains.
+    /// The number of the segment at a height, by steps each half of the one before. Spare room lies above any height.
     #[inline]
     fn index_at(&self, z: f32) -> usize {
-        let (mut index, mut count) = (0, self.segments.len());
-        while count > 1 {
-            let half = count / 2;
-            if self.segments.get(index + half).is_some_and(|segment| segment.low <= z) {
-                index += half;
+        let (mut index, mut stride) = (0, self.frame.stride);
+        loop {
+            if self.segments.get(index + stride).is_some_and(|segment| segment.low <= z) {
+                index += stride;
             }
-            count -= half;
+            stride /= 2;
+            if stride == 0 {
+                return index;
+            }
         }
-        index
     }
 }
 
@@ -200,6 +208,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
         }
         let (high, reach) = (segments[len - 1].high, widened(largest * scale * scale));
         let root_squash = constant::sqrt(profile.squash);
+        let size = constant::sqrt(reach + high * high);
         let frame = Frame {
             len,
             squash: profile.squash,
@@ -209,15 +218,19 @@ impl<const N: usize> Lathe<[Segment; N]> {
             low: segments[0].low,
             high,
             reach,
-            size: constant::sqrt(reach + high * high),
+            size,
             half_height: high / scale,
             radius: constant::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
             bulge,
-            kinks,
+            kinks: 0.5 * kinks,
             base: EndPlane::new(segments[0].b[0], profile.base, Part::Base),
             top: EndPlane::new(segments[len - 1].b[3], profile.top, Part::Top),
+            stride: len.div_ceil(2).next_power_of_two(),
+            across: scale * root_squash,
+            rounding: glance::ROUNDING * (2.0 + steepest),
+            room: glance::ROOM * size,
         };
         Self { frame, segments }
     }
@@ -232,6 +245,12 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[inline(always)]
     fn view(&self) -> View<'_> {
         View { frame: &self.frame, segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]) }
+    }
+
+    /// With the spare room.
+    #[inline(always)]
+    fn whole(&self) -> View<'_> {
+        View { frame: &self.frame, segments: self.segments.as_ref() }
     }
 
     /// The height half way up.

@@ -9,18 +9,21 @@
 //! or where g is greatest: the next place to look at. Once a root is in the segment looked at, Newton's method finds it;
 //! and if its slope A exceeds J, `g ≤ −(A − J)·x + K·x²` at x before it: it is the first.
 //!
-//! The first place is the one nearest to the axis, which all but a few rays need no other than.
-//! What is nearer to a decision than doubt, some times what rounding can do to g, is left to the walk: below zero g must
-//! be by more; behind a root it must rise above that, as it does where `(A − J)² > 4·doubt·|g″/2|`; and the segment's
-//! ends, and the ray's start, must be farther away.
+//! The first place is the one nearest to the axis, which all but a few rays need no other than. Of x and y no more matters
+//! there than the ray's moment about the axis, which over √q is the distance from it: so a ray that passes by costs no
+//! division. (Of slopes, c1 and A and J, it is the halves that are reckoned with.)
+//!
+//! What is nearer to a decision than doubt, which is more than what rounding can do to g at a place, is left to the walk:
+//! below zero g must be by more; behind a root it must rise above that, as it does where `(A − J)² > 4·doubt·|g″/2|`; and
+//! the segment's ends, and the ray's start, must be farther away. What is not a number decides nothing.
 
-use super::line::Line;
-use super::path::flat;
-use super::run::ROUNDING;
 use super::{View, is_beyond};
+use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
-use crate::math::order::greater;
+use crate::math::order::{greater, lesser};
 use crate::math::{Math, Native};
+use crate::ray::Ray;
+use crate::seldom::seldom;
 
 /// What is seen at a glance.
 pub(super) enum Glance {
@@ -30,11 +33,17 @@ pub(super) enum Glance {
     Unclear,
 }
 
-/// A decision nearer than this part of the radius, squared, is not made at a glance.
-const MOST_DOUBT: f32 = 0.25;
+/// Doubt is this times `(2 + S)·(ROOM·size + |back|·(q + dz²))`, S the profile's steepest: sixteen units of 2⁻²⁴.
+///
+/// Rounding puts the square of the distance from the axis off by 23·r² units at most, r the radius, and 4·|back|·√q; the
+/// squared radius by 10·r² + 4.5·S·size, and by S times what the height is off by, 9·size + 3·r·|dz|/√q + 11·|back·dz|.
+/// Where q is no less than [`FLAT`], |dz|/√q is below 8, √q at most 2·(q + dz²), and |dz| at most q + dz².
+pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
+/// How many times the solid's size.
+pub(super) const ROOM: f32 = 2.5;
 
-/// How many places are looked at, at most.
-const LOOKS: u32 = 3;
+/// The q of a ray that is not steep. A component of a ray's direction is less than four.
+const FLAT: f32 = 0.25;
 
 /// How many of Newton's steps are taken, at most.
 const STEPS: u32 = 4;
@@ -43,78 +52,118 @@ const STEPS: u32 = 4;
 const ROOT: f32 = 1.0 / 33_554_432.0;
 
 impl View<'_> {
-    /// What a line that is not steep, and passes through the cylinder around the solid, meets beyond `t_min`.
+    /// What a ray meets beyond `t_min`.
     #[inline]
-    pub fn glance(&self, line: &Line, t_min: f32) -> Glance {
+    pub fn glance(&self, ray: &Ray, t_min: f32) -> Glance {
         let View { frame, segments } = *self;
-        let Line { point: mut p, direction: d, q, mut back, .. } = *line;
+        let (o, d) = (ray.origin, ray.direction);
+        let x = d.x * frame.squash;
+        let q = x * d.x + d.y * d.y;
+        let moment = (o.x * d.y - o.y * d.x) * frame.across;
+        let moment = moment * moment;
+        if moment > frame.reach * q {
+            return Glance::Misses;
+        }
         let rise = d.z * d.z;
-        let (jump, curve) = (frame.kinks * d.z.abs(), frame.bulge * rise - q);
-        let doubt = ROUNDING * (2.0 + frame.steepest) * (frame.size + back.abs() * (q + rise));
-        if !(curve < 0.0 && doubt < MOST_DOUBT) {
+        let bulge = frame.bulge * rise;
+        if !(q > greater(bulge, FLAT)) {
             return Glance::Unclear;
         }
 
+        // Where it is nearest to the axis: how far behind its origin, how far off and how high.
+        let per_q = 1.0 / q;
+        let mut back = (o.x * x + o.y * d.y) * frame.scale * per_q;
+        let mut square = moment * per_q;
+        let mut z = (o.z - frame.middle) * frame.scale - d.z * back;
+        let doubt = frame.rounding * (frame.room + back.abs() * (q + rise));
+        let jump = || (frame.kinks * d.z).abs();
+
+        // Half the slope of the square.
+        let mut pull = 0.0;
         // Beyond an end's plane, on that plane. Farther from the axis the solid is on one side of it.
-        let mut ahead = 0.0;
-        if !(frame.low <= p.z && p.z <= frame.high) {
-            let end = if p.z > frame.high { frame.high } else { frame.low };
-            ahead = (end - p.z) / d.z;
-            if flat(p, p) + q * (ahead * ahead) > frame.reach {
+        let end = lesser(frame.high, greater(frame.low, z));
+        if end != z {
+            seldom();
+            let away = (end - z) / d.z;
+            pull = q * away;
+            square += pull * away;
+            if square > frame.reach {
                 return Glance::Misses;
             }
-            p += d * ahead;
-            (p.z, back) = (end, back - ahead);
+            (z, back) = (end, back - away);
         }
 
-        let mut looks = LOOKS;
-        let (index, segment, g, mut s) = loop {
-            let index = self.index_at(p.z);
+        let mut index = self.index_at(z);
+        let mut is_second = false;
+        let (segment, u, kappa, [c0, c1, c2], mut s) = loop {
             let Some(segment) = segments.get(index) else {
                 return Glance::Unclear;
             };
-            let g = segment.g_along(p, d, q);
-            let [c0, c1, c2, _] = g.c;
+            let (u, kappa) = ((z - segment.low) * segment.per_height, d.z * segment.per_height);
+            let [f0, f1, f2] = segment.about(u);
+            let [c0, c1, c2] = [f0 - square, f1 * kappa - pull, f2 * (kappa * kappa) - q];
             let highest = c0 + doubt;
-            let lean = jump + if ahead == 0.0 { c1.abs() } else { c1 * 1_f32.copysign(ahead) };
-            if highest < 0.0 && (lean <= 0.0 || lean * lean < 4.0 * curve * highest) {
-                return Glance::Misses;
+            if highest < 0.0 {
+                let lean = if !is_second && pull != 0.0 {
+                    greater(jump() + c1 * 1_f32.copysign(pull), 0.0)
+                } else {
+                    jump() + c1.abs()
+                };
+                if lean * lean < (bulge - q) * highest {
+                    return Glance::Misses;
+                }
             }
-            let square = c1 * c1 - 4.0 * c2 * c0;
-            let s = (Native::sqrt(greater(0.0, square)) - c1) / (c2 + c2);
-            let z = p.z + s * d.z;
-            if square >= 0.0 && segment.low <= z && z <= segment.high {
-                break (index, segment, g, s);
+            let apart = c1 * c1 - c2 * c0;
+            let s = (Native::sqrt(apart) - c1) / c2;
+            let to = u + kappa * s;
+            if 0.0 <= to && to <= 1.0 {
+                break (segment, u, kappa, [c0, c1, c2], s);
             }
-            looks -= 1;
-            if looks == 0 || !(frame.low <= z && z <= frame.high) {
+            seldom();
+            if is_second {
                 return Glance::Unclear;
             }
-            (p, back, ahead) = (p + d * s, back - s, 0.0);
+            is_second = true;
+            let s = if apart >= 0.0 { s } else { -c1 / c2 };
+            let turn = q * s;
+            square += (pull + pull + turn) * s;
+            (pull, back, z) = (pull + turn, back - s, z + d.z * s);
+            // Beyond the solid's ends there is no segment.
+            while segments.get(index).is_some_and(|segment| z < segment.low) {
+                index = index.wrapping_sub(1);
+            }
+            while segments.get(index).is_some_and(|segment| segment.high < z) {
+                index += 1;
+            }
         };
 
+        let g = Cubic::new([c0, c1 + c1, c2, segment.f[3] * (kappa * kappa * kappa)]);
         let most = q + frame.curvature * rise;
         let mut steps = STEPS;
-        loop {
-            let slope = g.slope(s);
-            let step = g.at(s) / slope;
+        let slope = loop {
+            let (value, slope) = g.with_slope(s);
+            let step = value / slope;
             s -= step;
-            if step * step * most <= ROOT * slope {
-                break;
+            if most * step * step <= ROOT * slope {
+                break slope;
             }
             steps -= 1;
             if steps == 0 {
                 return Glance::Unclear;
             }
-        }
-        let steep = g.slope(s) - jump;
-        let is_first = steep > 0.0 && steep * steep > 4.0 * most * doubt;
-        let (z, way) = (p.z + s * d.z, s - back);
-        let is_within = z - segment.low > doubt && segment.high - z > doubt;
-        let is_ahead = (way - t_min * line.unit) * steep > doubt;
-        let u = (z - segment.low) * segment.per_height;
-        let t = way / line.unit;
-        if is_first && is_within && is_ahead && is_beyond(t, t_min) {
+        };
+        // From before the last step. That turned half the slope by less than three tenths of what it exceeds J by: the
+        // square of that is no more than ROOT·A/doubt of this one's, doubt at least 80·ROOT·(2 + S), and A at most 6·(2 + S).
+        let steep = 0.5 * slope - jump();
+        let (u, way) = (u + kappa * s, s - back);
+        let unit = frame.scale * ray.unit;
+        let t = way / unit;
+        // Beyond t_min it is ahead, and so the slope must be above zero.
+        let is_told = steep * steep > 2.0 * most * doubt
+            && lesser(u, 1.0 - u) > doubt * segment.per_height
+            && (way - t_min * unit) * steep > doubt
+            && is_beyond(t, t_min);
+        if is_told {
             Glance::Meets(Hit { t, segment: index, u, enters: true, part: Part::Wall })
         } else {
             Glance::Unclear

@@ -18,32 +18,27 @@ impl<const N: usize> Lathe<[Segment; N]> {
     /// A segment is met at most three times and either cap once: the capacity C must be at least 3·N + 2,
     /// which is checked at compile time, and cannot overflow.
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        let line = Line::new(&self.frame, ray);
-        match self.glance(&line, t_min) {
+        match self.whole().glance(ray, t_min) {
             Glance::Misses => Vec::new(),
-            Glance::Meets(nearest) => self.hits_on::<Bracketed, C>(&line, t_min, Some(nearest)),
-            Glance::Unclear => self.hits_on::<Bracketed, C>(&line, t_min, None),
+            Glance::Meets(nearest) => self.hits_on::<Bracketed, C>(ray, t_min, Some(nearest)),
+            Glance::Unclear => self.hits_on::<Bracketed, C>(ray, t_min, None),
         }
     }
 
     /// [`Lathe::hits`] with the solver S.
     pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        self.hits_on::<S, C>(&Line::new(&self.frame, ray), t_min, None)
+        self.hits_on::<S, C>(ray, t_min, None)
     }
 
     /// The first is the nearest to the last bit, if that is known, and none before the one before: rounding may put a
     /// wall before a cap at its rim.
-    fn hits_on<S: Solver, const C: usize>(
-        &self,
-        line: &Line,
-        t_min: f32,
-        nearest: Option<Hit>,
-    ) -> Vec<Hit, C> {
+    fn hits_on<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32, nearest: Option<Hit>) -> Vec<Hit, C> {
         const {
             assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
         }
         let mut hits = Vec::<Hit, C>::new();
-        let _: Option<()> = walk::<S, _, false>(self.view(), &Path::of(line), t_min, |hit| {
+        let path = Path::of(&Line::new(&self.frame, ray));
+        let _: Option<()> = walk::<S, _, false>(self.view(), &path, t_min, |hit| {
             let hit = match (hits.last(), nearest) {
                 (None, Some(nearest)) if hit.enters => nearest,
                 (None, _) => hit,
@@ -64,63 +59,44 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     ///
     /// A ray from inside, or through an open end, meets the wall from within: the hit leaves. A ray that lies
     /// in the plane of a cap meets its rim.
+    // Apart: it takes all the registers there are, and what calls it needs its own.
+    #[inline(never)]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        let line = Line::new(&self.frame, ray);
-        match self.glance(&line, t_min) {
+        match self.whole().glance(ray, t_min) {
             Glance::Misses => None,
             Glance::Meets(hit) => Some(hit),
-            Glance::Unclear => self.walked(line, t_min),
+            Glance::Unclear => self.walked(ray, t_min),
         }
     }
 
-    /// The nearest crossing of a line that a glance does not tell. Apart, since it is rare.
+    /// The nearest crossing of a ray that a glance does not tell. Apart, since it is rare.
     #[cold]
     #[inline(never)]
-    fn walked(&self, line: Line, t_min: f32) -> Option<Hit> {
-        self.nearest_on::<Bracketed>(&line, t_min)
+    fn walked(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
+        self.nearest_by::<Bracketed>(ray, t_min)
     }
 
     /// [`Lathe::nearest`] with the solver S, by a walk along the ray.
     // In line: of two frames one within the other this makes one, where the stack is deepest.
     #[inline(always)]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        self.nearest_on::<S>(&Line::new(&self.frame, ray), t_min)
-    }
-
-    #[inline(always)]
-    fn nearest_on<S: Solver>(&self, line: &Line, t_min: f32) -> Option<Hit> {
-        walk::<S, _, false>(self.view(), &Path::of(line), t_min, ControlFlow::Break)
+        let path = Path::of(&Line::new(&self.frame, ray));
+        walk::<S, _, false>(self.view(), &path, t_min, ControlFlow::Break)
     }
 
     /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends
     /// often answer without a root.
     pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
-        let line = Line::new(&self.frame, ray);
-        match self.glance(&line, t_min) {
+        match self.whole().glance(ray, t_min) {
             Glance::Misses => false,
             Glance::Meets(_) => true,
-            Glance::Unclear => self.is_hit_on::<Bracketed>(&line, t_min),
+            Glance::Unclear => self.is_hit_by::<Bracketed>(ray, t_min),
         }
     }
 
     /// [`Lathe::is_hit`] with the solver S, by a walk along the ray.
     pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
-        self.is_hit_on::<S>(&Line::new(&self.frame, ray), t_min)
-    }
-
-    fn is_hit_on<S: Solver>(&self, line: &Line, t_min: f32) -> bool {
-        walk::<S, _, true>(self.view(), &Path::of(line), t_min, ControlFlow::Break).is_some()
-    }
-
-    /// What of a line is clear at a glance.
-    #[inline(always)]
-    fn glance(&self, line: &Line, t_min: f32) -> Glance {
-        if line.is_steep() {
-            Glance::Unclear
-        } else if line.square() > self.frame.reach {
-            Glance::Misses
-        } else {
-            self.view().glance(line, t_min)
-        }
+        let path = Path::of(&Line::new(&self.frame, ray));
+        walk::<S, _, true>(self.view(), &path, t_min, ControlFlow::Break).is_some()
     }
 }

@@ -38,13 +38,4 @@ impl Line {
         let back = along / square;
         Self { point: o - d * back, direction: d, q, back, unit: frame.scale * ray.unit }
     }
-
-    pub fn is_steep(&self) -> bool {
-        self.q < FLAT
-    }
-
-    /// The square of the point's distance from the axis.
-    pub fn square(&self) -> f32 {
-        flat(self.point, self.point)
-    }
 }

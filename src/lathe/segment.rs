@@ -1,15 +1,12 @@
-use super::path::flat;
-use crate::cubic::Cubic;
 use crate::math::order::{greater, lesser};
 use crate::profile::Span;
-use crate::vector::F32x3;
 
 /// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn); its size is
 /// what a user needs to know.
 ///
 /// ```
 /// use embedded_lathe::Segment;
-/// assert_eq!(core::mem::size_of::<Segment>(), 60);
+/// assert_eq!(core::mem::size_of::<Segment>(), 76);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -31,6 +28,9 @@ pub struct Segment {
     pub(super) bulge: f32,
     /// By how much the first jumps upwards where this segment ends and the next begins, or zero.
     pub(super) kink: f32,
+    /// Three times the two inner ordinates, and half of f1 and three halves of f3: what a glance needs of them.
+    inner: [f32; 2],
+    half: [f32; 2],
 }
 
 /// The larger of two numbers, or that which is none: what a segment of no height in the frame leaves unknown stays so.
@@ -50,8 +50,9 @@ pub(super) const fn power_of_two_for(square: f32) -> f32 {
 }
 
 impl Segment {
+    /// Above everything.
     pub(super) const EMPTY: Self = Self {
-        low: 0.0,
+        low: f32::INFINITY,
         high: 0.0,
         per_height: 0.0,
         f: [0.0; 4],
@@ -60,6 +61,8 @@ impl Segment {
         reach: 0.0,
         bulge: 0.0,
         kink: 0.0,
+        inner: [0.0; 2],
+        half: [0.0; 2],
     };
 
     pub(super) const fn new(span: &Span, middle: f32, scale: f32) -> Self {
@@ -81,6 +84,8 @@ impl Segment {
             // The second derivative of a cubic is largest at an end.
             bulge: larger(c2, c2 + 3.0 * c3) * per_height * per_height,
             kink: 0.0,
+            inner: [3.0 * b[1], 3.0 * b[2]],
+            half: [0.5 * f[1], 1.5 * f[3]],
         }
     }
 
@@ -131,10 +136,16 @@ impl Segment {
         [f, slope * kappa, (3.0 * f3 * u + f2) * (kappa * kappa), f3 * (kappa * kappa * kappa)]
     }
 
-    /// g along `p + s·d`, in powers of s, p at a height of the segment; q = dx² + dy².
-    #[inline]
-    pub(super) fn g_along(&self, p: F32x3, d: F32x3, q: f32) -> Cubic {
-        let [f0, f1, f2, f3] = self.along((p.z - self.low) * self.per_height, d.z);
-        Cubic::new([f0 - flat(p, p), f1 - 2.0 * flat(p, d), f2 - q, f3])
+    /// The squared radius at u, and halves of its first two derivatives: by Horner's rule in Bernstein form, as exact as
+    /// [`Segment::at`], and in powers.
+    #[inline(always)]
+    pub(super) fn about(&self, u: f32) -> [f32; 3] {
+        let Self { f: [b0, _, f2, _], inner: [b1, b2], b: [.., b3], half: [h0, h2], .. } = *self;
+        let v = 1.0 - u;
+        let w = u * u;
+        let f = ((b0 * v + b1 * u) * v + b2 * w) * v + b3 * (w * u);
+        let turn = h2 * u;
+        let lean = turn + f2;
+        [f, lean * u + h0, lean + turn]
     }
 }

@@ -1,8 +1,6 @@
 use super::Frame;
-use super::path::flat;
 use crate::ray::Ray;
-use crate::seldom::seldom;
-use crate::vector::F32x3;
+use crate::vector::{F32x3, dot};
 
 /// A ray in the lathe's frame, x scaled by √k: there every lathe is round.
 ///
@@ -10,7 +8,7 @@ use crate::vector::F32x3;
 /// from.
 #[derive(Clone, Copy)]
 pub(super) struct Line {
-    /// Where the ray is nearest to the axis, but for rounding; if it is steep, to the frame's origin.
+    /// Where the ray is nearest to the frame's origin, but for rounding.
     pub point: F32x3,
     pub direction: F32x3,
     /// dx² + dy².
@@ -21,21 +19,12 @@ pub(super) struct Line {
     pub unit: f32,
 }
 
-/// The q of a ray that is not steep. A component of a ray's direction is less than four.
-const FLAT: f32 = 0.25;
-
 impl Line {
     #[inline(always)]
     pub fn new(frame: &Frame, ray: &Ray) -> Self {
         let (o, d) = (frame.squashed(frame.point(ray.origin)), frame.squashed(ray.direction));
-        let q = flat(d, d);
-        let (mut along, mut square) = (flat(o, d), q);
-        if q < FLAT {
-            seldom();
-            along += o.z * d.z;
-            square += d.z * d.z;
-        }
-        let back = along / square;
+        let (q, rise) = (d.x * d.x + d.y * d.y, d.z * d.z);
+        let back = dot(o, d) / (q + rise);
         Self { point: o - d * back, direction: d, q, back, unit: frame.scale * ray.unit }
     }
 }

@@ -102,7 +102,7 @@ struct Frame {
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
     steepest: f32,
     curvature: f32,
-    /// Half the largest second derivative, or zero, and half the sum of all jumps upwards of the first, at joins.
+    /// Half the largest second derivative, or a little, and half the sum of all jumps upwards of the first, at joins.
     bulge: f32,
     kinks: f32,
     /// The lower end's plane, and the upper one's.
@@ -223,7 +223,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
             radius: constant::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
-            bulge,
+            bulge: larger(bulge, glance::LEAST_BULGE),
             kinks: 0.5 * kinks,
             base: EndPlane::new(segments[0].b[0], profile.base, Part::Base),
             top: EndPlane::new(segments[len - 1].b[3], profile.top, Part::Top),

@@ -37,10 +37,13 @@ pub(super) enum Glance {
 ///
 /// Rounding puts the square of the distance from the axis off by 23·r² units at most, r the radius, and 4·|back|·√q; the
 /// squared radius by 10·r² + 4.5·S·size, and by S times what the height is off by, 9·size + 3·r·|dz|/√q + 11·|back·dz|.
-/// Where q is no less than [`FLAT`], |dz|/√q is below 8, √q at most 2·(q + dz²), and |dz| at most q + dz².
+/// Where K is below zero, |dz|/√q is below 8; where q is no less than [`FLAT`], √q is at most 2·(q + dz²), |dz| at most q + dz².
 pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 /// How many times the solid's size.
 pub(super) const ROOM: f32 = 2.5;
+
+/// The least that `bulge` is taken for.
+pub(super) const LEAST_BULGE: f32 = 1.0 / 64.0;
 
 /// The q of a ray that is not steep. A component of a ray's direction is less than four.
 const FLAT: f32 = 0.25;

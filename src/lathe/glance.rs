@@ -156,7 +156,7 @@ impl View<'_> {
             }
         };
         // From before the last step. That turned half the slope by less than three tenths of what it exceeds J by: the
-        // square of that is no more than ROOT·A/doubt of this one's, doubt at least 80·ROOT·(2 + S), and A at most 6·(2 + S).
+        // square of that is no more than ROOT·A/(2·doubt) of this one's, doubt at least 80·ROOT·(2 + S), and A at most 12·(2 + S).
         let steep = 0.5 * slope - jump();
         let (u, way) = (u + kappa * s, s - back);
         let unit = frame.scale * ray.unit;

@@ -232,7 +232,9 @@ impl<C: Paint> Canvas<'_, C> {
         // A pixel and its mirror image, which is nowhere if there is none.
         let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
         let opposite = mirrored.unwrap_or(finish.towards);
-        along.follow(i, to, |seen, views| {
+        let wall = along.wall();
+        along.follow(i, to, |place, views| {
+            let seen = &wall.seen(place);
             let column = x + at as u32;
             if let Some(pixel) = run.get_mut(at) {
                 *pixel = C::shade(finish.shades::<C>(column, seen, &finish.towards, views), column, y);

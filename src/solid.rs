@@ -3,7 +3,7 @@
 use crate::camera::{Projection, Row};
 use crate::color::{Paint, Rgb, Shades, Share};
 use crate::hit::Hit;
-use crate::lathe::{Lathe, Seen, Stop, Sweep};
+use crate::lathe::{Lathe, Seen, Stop, Sweep, Wall};
 use crate::light::Light;
 use crate::math::inverse_root;
 use crate::pose::Pose;
@@ -202,12 +202,18 @@ impl SolidRow<'_> {
         self.sweep.followed(i)
     }
 
+    /// As [`Sweep::wall`].
+    #[inline(always)]
+    pub fn wall(&self) -> Wall {
+        self.sweep.wall()
+    }
+
     /// Follows it from the i-th pixel up to another. The first pixel that it is not certain of, if any, is the one
     /// returned.
     #[inline(always)]
-    pub fn follow(&mut self, i: u32, to: u32, mut see: impl FnMut(&Seen, &Views)) -> (u32, Stop) {
+    pub fn follow(&mut self, i: u32, to: u32, mut see: impl FnMut(F32x3, &Views)) -> (u32, Stop) {
         let Self { views, sweep, .. } = self;
-        sweep.follow(i, to, |seen| see(seen, views))
+        sweep.follow(i, to, |at| see(at, views))
     }
 
     /// The root was followed up to the i-th pixel, and why no farther: there may be another way to go on.

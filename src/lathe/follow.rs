@@ -1,6 +1,7 @@
 //! A root, followed from ray to ray: the innermost loop.
 
 use super::path::flat;
+use super::segment::Segment;
 use super::sweep::Sweep;
 use crate::math::inverse_root;
 use crate::math::order::greater;
@@ -20,6 +21,22 @@ impl Seen {
     #[inline(always)]
     pub fn new(gradient: F32x3) -> Self {
         Self { gradient, per_length: inverse_root(gradient.dot(gradient)) }
+    }
+}
+
+/// A segment's wall, as roots followed along it meet it.
+pub(crate) struct Wall {
+    root_squash: f32,
+    /// Half of −F′.
+    e: [f32; 3],
+}
+
+impl Wall {
+    /// What is seen of it there: across the axis, and so far up the segment.
+    #[inline(always)]
+    pub fn seen(&self, F32x3 { x, y, z: u }: F32x3) -> Seen {
+        let [e0, e1, e2] = self.e;
+        Seen::new(vector([self.root_squash * x, y, (e2 * u + e1) * u + e0]))
     }
 }
 
@@ -48,10 +65,20 @@ impl Sweep<'_> {
         self.following.then(|| (i + FRESH.min(self.end - i)).min(self.first.until))
     }
 
-    /// Follows the root from the i-th pixel on, up to another, and hands over what each sees. The first pixel that it
-    /// is not certain of, if any, is the one returned.
+    /// The wall that it is in.
     #[inline(always)]
-    pub fn follow(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen)) -> (u32, Stop) {
+    pub fn wall(&self) -> Wall {
+        let Segment { per_height, f: [_, c1, c2, c3], .. } = *self.segment;
+        // Half of −F′, as a gradient has it.
+        let along = -0.5 * self.sign * per_height;
+        let e = [along * c1, along * 2.0 * c2, along * 3.0 * c3];
+        Wall { root_squash: self.sign * self.lathe.frame.root_squash, e }
+    }
+
+    /// Follows the root from the i-th pixel on, up to another, and hands over where on the wall each is. The first pixel
+    /// that it is not certain of, if any, is the one returned.
+    #[inline(always)]
+    pub fn follow(&mut self, mut i: u32, to: u32, mut see: impl FnMut(F32x3)) -> (u32, Stop) {
         let segment = self.segment;
         // A root that leaves is one that enters if the ray is turned round. In the mirror, too, y is the other way: then the
         // normal is that of the other side.
@@ -62,10 +89,6 @@ impl Sweep<'_> {
         let (mut m, mut d) = (point(m, segment.low), toward(d));
         let (m1, d1) = (point(self.rays.origin_step, 0.0), toward(self.rays.direction_step));
         let [c0, c1, c2, c3] = segment.f;
-        // Half of −F′, as a gradient has it.
-        let along = -0.5 * sign * segment.per_height;
-        let [e0, e1, e2] = [along * c1, along * 2.0 * c2, along * 3.0 * c3];
-        let root_squash = sign * self.lathe.frame.root_squash;
         let certain = self.first.slope;
         let tolerance = self.tolerance;
         // At the solid's ends roots are in doubt.
@@ -109,8 +132,7 @@ impl Sweep<'_> {
                     stop = Stop::Uncertain;
                     break 'pixels;
                 }
-                let e = (e2 * u + e1) * u + e0;
-                see(&Seen::new(vector([root_squash * x, y, e])));
+                see(vector([x, y, u]));
                 break;
             }
             // As far again, and by how much that grew again.

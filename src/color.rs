@@ -1,6 +1,6 @@
 //! Colours as the renderer reckons with them.
 
-use crate::math::order::lesser;
+use crate::math::{order::lesser, whole};
 
 /// A colour as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
 /// gamma-corrected.
@@ -157,6 +157,12 @@ impl Share {
     #[inline(always)]
     pub const fn new(units: f32) -> Self {
         Self(units as u32)
+    }
+
+    /// The same, as wide registers do it for several at once.
+    #[inline(always)]
+    pub fn wide(units: f32) -> Self {
+        Self(whole(units))
     }
 
     pub const fn of_one(x: f32) -> Self {

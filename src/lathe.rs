@@ -35,7 +35,7 @@ mod segment;
 mod sweep;
 mod walk;
 
-pub(crate) use follow::{Seen, Stop, Wall};
+pub(crate) use follow::{FRESH, Seen, Stop, Wall};
 pub use segment::Segment;
 pub(crate) use sweep::Sweep;
 

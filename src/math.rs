@@ -21,6 +21,7 @@ mod native;
 pub(crate) mod order;
 #[cfg(feature = "std")]
 mod std;
+mod whole;
 
 pub(crate) use self::inverse_root::inverse_root;
 pub use self::libm::Libm;
@@ -28,6 +29,7 @@ pub use self::micromath::Micromath;
 pub use self::native::Native;
 #[cfg(feature = "std")]
 pub use self::std::Std;
+pub(crate) use self::whole::whole;
 
 /// What the solvers ask of a mathematics library.
 ///

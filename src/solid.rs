@@ -289,12 +289,24 @@ impl Finish {
         let Seen { gradient, per_length } = *seen;
         let nl = per_length * gradient.dot(*towards);
         let matt = self.ambient.with(self.direct.dimmed(Share::new(nl)));
-        if self.shininess == 0 {
+        if self.is_matt() {
             return matt;
         }
         let full = const { Shades::of(C::SHADES) };
         let share = self.gloss(gradient * per_length, towards, views, column);
         matt.with_up_to(full.dimmed(share), const { Shades::of(C::SHADES).rounded() })
+    }
+
+    /// Whether there is no highlight.
+    #[inline(always)]
+    pub fn is_matt(&self) -> bool {
+        self.shininess == 0
+    }
+
+    /// The colour without a highlight, in shades, where such a share of the light falls.
+    #[inline(always)]
+    pub fn matt(&self, share: Share) -> Shades {
+        self.ambient.with(self.direct.dimmed(share))
     }
 
     /// The share of white that a column's ray sees, given the normal and the light.

@@ -22,6 +22,12 @@ impl Seen {
     pub fn new(gradient: F32x3) -> Self {
         Self { gradient, per_length: inverse_root(gradient.dot(gradient)) }
     }
+
+    /// How straight light from there falls: the cosine, times how long `towards` is.
+    #[inline(always)]
+    pub fn light(&self, towards: &F32x3) -> f32 {
+        self.per_length * self.gradient.dot(*towards)
+    }
 }
 
 /// A segment's wall, as roots followed along it meet it.
@@ -43,8 +49,8 @@ impl Wall {
 /// How often Newton's method, or a change of segment, is tried before the ray goes alone.
 pub(super) const STEPS: u32 = 4;
 
-/// For how many pixels rays may be added up.
-const FRESH: u32 = 64;
+/// For how many pixels rays may be added up, and so how many are followed in one go.
+pub(crate) const FRESH: u32 = 64;
 
 /// Why a root is followed no farther.
 pub(crate) enum Stop {

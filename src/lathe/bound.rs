@@ -14,12 +14,13 @@ pub(super) fn most(g: &Cubic, before: f32, beyond: f32) -> f32 {
     if -before < top && top < beyond { greater(ends, g.at(top)) } else { ends }
 }
 
-/// The greatest value of `c1·s + c2·s²` from `-before` to `beyond`.
-#[inline(never)]
-pub(super) fn highest(c1: f32, c2: f32, before: f32, beyond: f32) -> f32 {
-    let at = |s: f32| (c1 + c2 * s) * s;
-    let vertex = -0.5 * c1 / c2;
-    // Also where c2 is zero, and the vertex infinite or not a number.
-    let is_between = c2 < 0.0 && -before < vertex && vertex < beyond;
-    if is_between { at(vertex) } else { greater(0.0, greater(at(-before), at(beyond))) }
+/// The greatest value of `c0 + c1·x + c2·x²` for x from `-half` to `half`.
+#[inline(always)]
+pub(super) fn highest(c0: f32, c1: f32, c2: f32, half: f32) -> f32 {
+    // Beyond its vertex it falls.
+    if c1.abs() + 2.0 * c2 * half < 0.0 {
+        c0 - 0.25 * c1 * c1 / c2
+    } else {
+        c0 + (c1.abs() + c2 * half) * half
+    }
 }

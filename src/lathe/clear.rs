@@ -68,7 +68,7 @@ impl Sweep<'_> {
             let reach = self.reach(&path);
             let crest = self.crest(&path, 1.0, reach);
             if crest.g < -self.doubt {
-                let clear = Pace::of(self, ray, path.per_dz, reach).pixels(1.0, -crest.g - self.doubt);
+                let clear = self.pixels(&path, ray, 1.0, -crest.g - self.doubt, reach);
                 return (i + 1).saturating_add(clear);
             }
             self.entry = crest.entry;
@@ -78,75 +78,41 @@ impl Sweep<'_> {
         }
         i
     }
-}
 
-/// How fast g grows from pixel to pixel at the heights of one ray.
-///
-/// At a height, the point that a ray has there moves along a line as the pixel's number grows, the row of rays'
-/// own at that height, and always the same way; g is what F is there less the square of its distance from the
-/// axis. So g grows as far as the pixel whose ray is nearest to the axis there, slower and slower, and falls
-/// from there on.
-pub(super) struct Pace {
-    /// How far the point at the height of s moves, `v0 + v1·s`.
-    v: [F32x3; 2],
-    /// The derivative of g by the pixel's number there, `p0 + p1·s + p2·s²`.
-    p: [f32; 3],
-    /// The heights are those of s from here to there.
-    from: f32,
-    to: f32,
-    /// By what part of itself dz falls from pixel to pixel, or, negative, grows.
-    turn: f32,
-    /// One over the number of pixels for which the rays go on rising or falling, no less than 7/8 as steeply, and come to
-    /// a height by no more than four spans elsewhere.
-    level: f32,
-}
-
-impl Pace {
-    /// From the i-th ray on, at the heights that it has between two points.
-    pub fn of(sweep: &Sweep, (m, d): (F32x3, F32x3), per_dz: f32, (from, to): (f32, f32)) -> Self {
-        let (m1, d1) = (sweep.rays.origin_step, sweep.rays.direction_step);
-        // The point of height z moves by as much as the ray does, and along it so far that z stays.
-        let per_dz = if sweep.drift > 0.0 { per_dz } else { 0.0 };
-        let turn = -d1.z * per_dz;
-        let level = greater(sweep.drift * per_dz.abs(), 8.0 * turn);
-        let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
-        let p = [flat(m, v0), flat(m, v1) + flat(d, v0), flat(d, v1)].map(|p| -2.0 * p);
-        Self { v: [v0, v1], p, from, to, turn, level }
-    }
-
-    /// At the height of s.
-    fn at(&self, s: f32) -> f32 {
-        let [p0, p1, p2] = self.p;
-        (p2 * s + p1) * s + p0
-    }
-
-    /// The square of how far the point at the height of s moves.
-    fn square_at(&self, s: f32) -> f32 {
-        let [v0, v1] = self.v;
-        let v = v0 + v1 * s;
-        flat(v, v)
-    }
-
-    /// The greatest of it, or of its negative.
-    #[inline]
-    fn most(&self, sign: f32) -> f32 {
-        let [_, p1, p2] = self.p;
-        let (from, to) = (self.from, self.to);
-        sign * self.at(from) + highest(sign * (p1 + 2.0 * p2 * from), sign * p2, 0.0, to - from)
-    }
-
-    /// How many pixels there are before g, `room` below zero now, or, for −1, above, can have come to zero anywhere.
+    /// How many pixels there are before g, `room` below zero on a ray between two of its points, or, for −1, above, can have
+    /// come to zero at any of their heights.
     ///
-    /// In n of them it grows by n times its pace, or less; it falls by as much, and by n² times the square of how far
-    /// the point moves, v². Where dz turns, n of them move the points as far as `n/(1 − n·turn)` did at the pace of the
-    /// first.
-    pub fn pixels(&self, sign: f32, room: f32) -> u32 {
-        let pace = self.most(sign);
-        let square =
-            if sign < 0.0 { greater(self.square_at(self.from), self.square_at(self.to)) } else { 0.0 };
-        // One over the n that takes all the room, nothing if there is no end of room.
-        let rate = (pace + Native::sqrt(pace * pace + 4.0 * square * room)) / (2.0 * room);
-        (1.0 / greater(self.level, rate + self.turn)) as u32
+    /// At a height, the point that a ray has there moves along a line as the pixel's number grows, the row of rays'
+    /// own at that height, and always the same way; g is what F is there less the square of its distance from the
+    /// axis. So g grows as far as the pixel whose ray is nearest to the axis there, slower and slower, and falls
+    /// from there on: in n pixels by n times its pace, less n² times the square of how far the point moves, v².
+    #[inline(never)]
+    pub(super) fn pixels(
+        &self,
+        path: &Path,
+        (m, d): (F32x3, F32x3),
+        sign: f32,
+        room: f32,
+        (from, to): (f32, f32),
+    ) -> u32 {
+        let (m1, d1) = (self.rays.origin_step, self.rays.direction_step);
+        // The point of height z moves by as much as the ray does, and along it so far that z stays: by `v + v1·x`, x from half
+        // way, where the ray has its point p.
+        let per_dz = if self.drift > 0.0 { path.per_dz } else { 0.0 };
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
+        let (p, v) = (m + d * middle, v0 + v1 * middle);
+        let pace = highest(-sign * flat(p, v), -sign * (flat(p, v1) + flat(d, v)), -sign * flat(d, v1), half);
+        let square = highest(-sign * flat(v, v), -2.0 * sign * flat(v, v1), -sign * flat(v1, v1), half);
+        // By what part of itself dz falls from pixel to pixel, or, negative, grows: n of them move the points as far as
+        // `n/(1 − n·turn)` did at the pace of the first.
+        let turn = -d1.z * per_dz;
+        // One over the number of pixels for which the rays go on rising or falling, no less than 7/8 as steeply, and come to
+        // a height by no more than four spans elsewhere.
+        let level = greater(self.drift * per_dz.abs(), 8.0 * turn);
+        // One over the n that takes all the room; nothing, or not a number, if there is no end of room.
+        let rate = (pace + Native::sqrt(pace * pace + square * room)) / room;
+        (1.0 / greater(level, rate + turn)) as u32
     }
 }
 

@@ -15,7 +15,6 @@
 //! root, does not bend the wrong way first and the right way then: that is for the sign of F‴·dz to tell. Where it may, the
 //! slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height, or else the segment's cubic is asked, pixel by pixel.
 
-use super::clear::Pace;
 use super::segment::Segment;
 use super::sweep::Sweep;
 use crate::math::order::lesser;
@@ -89,7 +88,7 @@ impl Sweep<'_> {
         let by_slope = sign > 0.0 && self.segment.bulge <= self.bulge;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
         let crest = self.crest(&path, sign, before).g;
-        let pixels = || Pace::of(self, ray, path.per_dz, before).pixels(sign, -crest - self.doubt);
+        let pixels = || self.pixels(&path, ray, sign, -crest - self.doubt, before);
         (crest < -self.doubt).then(|| (i + 1).saturating_add(pixels()))
     }
 

@@ -98,7 +98,7 @@ impl Sweep<'_> {
     }
 
     /// From where to where rays can meet the solid at the height that this one has there: it itself, and as many more
-    /// as [`Pace`](super::clear::Pace) reckons with, which come to a height up to four spans earlier or later.
+    /// as [`Sweep::pixels`] reckons with, which come to a height up to four spans earlier or later.
     pub(super) fn reach(&self, path: &Path) -> (f32, f32) {
         let span = 5.0 * self.span;
         let (near, far) = path.slab(self.low, self.high);

@@ -15,6 +15,7 @@
 //! root, does not bend the wrong way first and the right way then: that is for the sign of F‴·dz to tell. Where it may, the
 //! slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height, or else the segment's cubic is asked, pixel by pixel.
 
+use super::clear::Crest;
 use super::segment::Segment;
 use super::sweep::Sweep;
 use crate::math::order::lesser;
@@ -74,7 +75,7 @@ impl Sweep<'_> {
     /// The pixel as far as which g is known to keep its sign before the rays come to a segment, by a look at the i-th. A root
     /// that leaves must come through an open end: then g is positive before it.
     #[inline(always)]
-    fn looked_before(&self, i: u32, segment: &Segment) -> Option<u32> {
+    fn looked_before(&mut self, i: u32, segment: &Segment) -> Option<u32> {
         let ray = self.ray(i);
         let (path, sign) = (self.path(ray), self.sign);
         let frame = self.lathe.frame;
@@ -87,9 +88,16 @@ impl Sweep<'_> {
         // Where that begins, too, however far away, if more than the slope must tell of what follows.
         let by_slope = sign > 0.0 && self.segment.bulge <= self.bulge;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
-        let crest = self.crest(&path, sign, before).g;
-        let pixels = || self.pixels(&path, ray, sign, -crest - self.doubt, before);
-        (crest < -self.doubt).then(|| (i + 1).saturating_add(pixels()))
+        let Crest { g, entry } = self.crest(&path, sign, before);
+        if g < -self.doubt {
+            return Some((i + 1).saturating_add(self.pixels(&path, ray, sign, -g - self.doubt, before)));
+        }
+        // An earlier root, or, past a rim, one just behind it. That is followed from here on, as far as no pixel yet.
+        let (index, s, turns) = entry.unwrap_or((self.index, far, -1.0));
+        let tries = self.tries;
+        self.begin(index, s, sign * turns);
+        self.tries = tries;
+        Some(0)
     }
 
     /// Whether g keeps its sign from where a ray comes to the segment of a root as far as the root, given the root's

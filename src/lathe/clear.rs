@@ -116,8 +116,14 @@ impl Sweep<'_> {
     }
 }
 
-/// Where the parabola of a cubic's first terms comes above zero, or, for −1, below, if it does and opens downwards.
+/// About where a cubic comes above zero, or, for −1, below: where the parabola of its first terms does, if it does and opens
+/// downwards, and two steps of Newton's method on.
 fn zero(g: &Cubic, sign: f32) -> f32 {
     let [c0, c1, c2, _] = g.c;
-    (sign * Native::sqrt(c1 * c1 - 4.0 * c2 * c0) - c1) / (2.0 * c2)
+    let mut s = (sign * Native::sqrt(c1 * c1 - 4.0 * c2 * c0) - c1) / (2.0 * c2);
+    for _ in 0..2 {
+        let (value, slope) = g.with_slope(s);
+        s -= value / slope;
+    }
+    s
 }

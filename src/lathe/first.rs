@@ -92,6 +92,9 @@ impl Sweep<'_> {
         if g < -self.doubt {
             return Some((i + 1).saturating_add(self.pixels(&path, ray, sign, -g - self.doubt, before)));
         }
+        if g < self.doubt {
+            return None;
+        }
         // An earlier root, or, past a rim, one just behind it. That is followed from here on, as far as no pixel yet.
         let (index, s, turns) = entry.unwrap_or((self.index, far, -1.0));
         let tries = self.tries;

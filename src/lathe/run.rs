@@ -19,7 +19,7 @@ const DOUBT: f32 = 1.0 / 4096.0;
 pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 
 /// How far from the root a step may leave off.
-const ROOT: f32 = 1.0 / 2_097_152.0;
+const ROOT: f32 = 1.0 / 524_288.0;
 
 impl Lathe {
     /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own.

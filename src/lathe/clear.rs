@@ -57,7 +57,7 @@ impl Sweep<'_> {
     /// With no root to follow, the next pixel that may see something, from the i-th on: none before it does. The
     /// i-th itself, if it may; then a root is followed, if it is known where to.
     pub(super) fn clear_until(&mut self, i: u32) -> u32 {
-        // The left half begins where the right one did.
+        // The left half begins with the root last looked for, which is mostly that the right one began with.
         if i > 0 || self.entry.is_none() {
             let ray = self.ray(i);
             let path = self.path(ray);

@@ -82,7 +82,7 @@ pub(crate) struct Sweep<'a> {
     pub(super) looked: u32,
     /// How often something else may be tried at one pixel.
     pub(super) tries: u32,
-    /// The root that the first pixel's ray may meet, if it was looked for: segment, place and sign.
+    /// The root last looked for, if there may be one: segment, place and sign.
     pub(super) entry: Option<(usize, f32, f32)>,
 }
 

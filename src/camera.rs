@@ -40,19 +40,19 @@ pub(crate) enum Projection {
 
 impl Camera {
     /// Rays from `eye`; `half_width` is that of the picture at unit distance, the tangent of half the angle
-    /// of view.
+    /// of view, which 30 makes 176°.
     ///
     /// # Errors
     ///
     /// [`SceneError`] if the eye is where it looks at, `up` is zero or along the view, the half-width not
-    /// between 10⁻⁶ and 1 000, or a number not finite.
+    /// between 10⁻⁶ and 30, or a number not finite.
     pub const fn perspective(
         eye: [f32; 3],
         look_at: [f32; 3],
         up: [f32; 3],
         half_width: f32,
     ) -> Result<Self, SceneError> {
-        if !(half_width >= 1e-6 && half_width <= 1e3) {
+        if !(half_width >= 1e-6 && half_width <= 30.0) {
             return Err(SceneError::HalfWidth);
         }
         Self::new(eye, look_at, up, half_width, Projection::Perspective)
@@ -107,7 +107,10 @@ impl Camera {
         })
     }
 
-    /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels.
+    /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels, which must not be
+    /// zero; x and y may lie outside of it.
+    ///
+    /// Its t counts in units of the world's along the view: in perspective it is the depth.
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
         // Centres, in half-pixels from the picture's centre: whole numbers.
         let [across, down] =

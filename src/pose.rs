@@ -26,7 +26,8 @@ impl Pose {
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if a coordinate or the rotation is not finite, or the scale not between 10⁻³⁰ and 10³⁰.
+    /// [`SceneError`] if a coordinate is not finite, the rotation by an angle that is none, or the scale not between 10⁻³⁰
+    /// and 10³⁰.
     pub const fn new(position: [f32; 3], rotation: Rotation, scale: f32) -> Result<Self, SceneError> {
         let position = vector(position);
         if !finite(position) {
@@ -64,7 +65,8 @@ impl defmt::Format for Pose {
     }
 }
 
-/// A rotation about the origin, right-handed, angles in radians.
+/// A rotation about the origin, right-handed, angles in radians and no larger than 10 000: of a larger one f32 knows too
+/// little, and [`Pose::new`] and [`Rotation::about`] say so.
 ///
 /// All its constructors are `const`, and use the same arithmetic wherever they run.
 ///
@@ -108,12 +110,12 @@ impl Rotation {
     ///
     /// # Errors
     ///
-    /// [`SceneError::Rotation`] if the axis is zero or a number not finite.
+    /// [`SceneError::Rotation`] if the axis is zero, the angle larger than 10 000, or a number not finite.
     pub const fn about(axis: [f32; 3], angle: f32) -> Result<Self, SceneError> {
         let (s, c) = sin_cos(angle);
         let v = 1.0 - c;
         match unit(vector(axis)) {
-            Some(F32x3 { x, y, z }) if angle.is_finite() => Ok(Self {
+            Some(F32x3 { x, y, z }) if s.is_finite() => Ok(Self {
                 rows: [
                     vector([c + x * x * v, x * y * v - z * s, x * z * v + y * s]),
                     vector([y * x * v + z * s, c + y * y * v, y * z * v - x * s]),

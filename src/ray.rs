@@ -17,9 +17,11 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     pub(crate) origin: F32x3,
-    /// The direction given, over `unit`: its largest component lies in [1, 4).
+    /// The direction given, over `unit`: its largest component lies in [1, 4). A camera's is taken as it comes: no shorter than
+    /// 1, and no longer than 43 in a picture that is no taller than wide.
     pub(crate) direction: F32x3,
-    /// A power of two. A distance t in units of the direction given is t·unit in units of `direction`.
+    /// A distance t in units of the direction given is t·unit in units of `direction`: a power of two, over the scale of the
+    /// solid in whose space the ray is.
     pub(crate) unit: f32,
 }
 
@@ -46,7 +48,7 @@ impl Ray {
         self.origin
     }
 
-    /// A ray whose direction is known to be finite and of about unit length.
+    /// A ray whose direction is known to be finite, and no shorter than 1 but for rounding.
     pub(crate) const fn new_unchecked(origin: F32x3, direction: F32x3) -> Self {
         Self { origin, direction, unit: 1.0 }
     }

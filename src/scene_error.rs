@@ -11,7 +11,7 @@ use core::fmt;
 pub enum SceneError {
     /// A coordinate of a position is not finite.
     Position,
-    /// A rotation's axis is zero, or its angle not finite.
+    /// A rotation's axis is zero, or its angle larger than 10 000 radians or not a number.
     Rotation,
     /// A solid's scale is not between 10⁻³⁰ and 10³⁰.
     Scale,
@@ -19,7 +19,7 @@ pub enum SceneError {
     ViewDirection,
     /// A camera's up direction is zero or along its view.
     UpDirection,
-    /// A camera's half-width is not positive, or extreme.
+    /// A camera's half-width is not between 10⁻⁶ and 30, or, if its rays are parallel, 10⁻¹⁵ and 10¹⁵.
     HalfWidth,
     /// A light's direction is zero or not finite.
     LightDirection,
@@ -31,11 +31,11 @@ impl SceneError {
     const fn text(self) -> &'static str {
         match self {
             Self::Position => "a coordinate of the position is not finite",
-            Self::Rotation => "the rotation's axis is zero or its angle not finite",
+            Self::Rotation => "the rotation's axis is zero or its angle not within 1e4",
             Self::Scale => "the scale is not between 1e-30 and 1e30",
             Self::ViewDirection => "the camera's eye is where it looks at, or not finite",
             Self::UpDirection => "the camera's up direction is zero or along its view",
-            Self::HalfWidth => "the camera's half-width is not positive, or extreme",
+            Self::HalfWidth => "the camera's half-width is not between 1e-6 and 30, or 1e-15 and 1e15",
             Self::LightDirection => "the light's direction is zero or not finite",
             Self::Ambient => "the ambient share is not between 0 and 1",
         }

@@ -344,6 +344,7 @@ fn a_scene_needs_numbers() {
     assert_eq!(Camera::perspective([f32::NAN; 3], [0.0; 3], up, 0.3), Err(SceneError::ViewDirection));
     assert_eq!(Camera::perspective(eye, [0.0; 3], [0.0; 3], 0.3), Err(SceneError::UpDirection));
     assert_eq!(Camera::perspective(eye, [0.0; 3], [0.0, 3.0, 0.0], 0.3), Err(SceneError::UpDirection));
+    assert_eq!(Camera::perspective(eye, [0.0; 3], up, 30.1), Err(SceneError::HalfWidth));
     for half_width in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         assert_eq!(Camera::perspective(eye, [0.0; 3], up, half_width), Err(SceneError::HalfWidth));
         assert_eq!(Camera::orthographic(eye, [0.0; 3], up, half_width), Err(SceneError::HalfWidth));
@@ -351,7 +352,10 @@ fn a_scene_needs_numbers() {
     assert_eq!(Light::new([0.0; 3], 0.1), Err(SceneError::LightDirection));
     assert_eq!(Light::new(up, 1.5), Err(SceneError::Ambient));
     assert_eq!(Pose::new([f32::INFINITY, 0.0, 0.0], Rotation::IDENTITY, 1.0), Err(SceneError::Position));
-    assert_eq!(Pose::new([0.0; 3], Rotation::about_x(f32::NAN), 1.0), Err(SceneError::Rotation));
+    for angle in [f32::NAN, f32::INFINITY, 10_001.0, -1e9] {
+        assert_eq!(Pose::new([0.0; 3], Rotation::about_x(angle), 1.0), Err(SceneError::Rotation));
+        assert_eq!(Rotation::about(up, angle), Err(SceneError::Rotation));
+    }
     assert_eq!(Pose::new([0.0; 3], Rotation::IDENTITY, 0.0), Err(SceneError::Scale));
     assert_eq!(Rotation::about([0.0; 3], 1.0), Err(SceneError::Rotation));
 }
@@ -359,8 +363,8 @@ fn a_scene_needs_numbers() {
 /// Against the standard library's functions, in f64: two roundings of each.
 #[test]
 fn rotations_turn_by_their_angle() {
-    for step in -1000..1000 {
-        let angle = step as f32 * 0.0173;
+    for (step, width) in (-1000..=1000).flat_map(|step| [(step, 0.0173), (step, 10.0)]) {
+        let angle = step as f32 * width;
         let (sin, cos) = f64::from(angle).sin_cos();
         let x = Rotation::about_x(angle).apply([0.0, 1.0, 0.0]);
         let y = Rotation::about_y(angle).apply([0.0, 0.0, 1.0]);

@@ -331,7 +331,7 @@ fn a_world_of_any_size_looks_the_same() {
     }
 }
 
-/// Rays exactly level in rows that are not, views from straight above, and pictures of next to nothing of a solid.
+/// Rays exactly level in rows that are not, views from straight above, pictures of next to nothing of a solid, and wide ones.
 fn exact_cameras() -> Vec<Camera> {
     let up = [0.0, 0.0, 1.0];
     let mut cameras = vec![
@@ -345,6 +345,9 @@ fn exact_cameras() -> Vec<Camera> {
         let up = if roll < f32::INFINITY { [roll, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };
         cameras.push(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], up, 1.2));
         cameras.push(Camera::perspective([0.0, -5.0, 0.0], [0.0; 3], up, 0.3));
+    }
+    for half_width in [1.0, 1.7, 5.0] {
+        cameras.push(Camera::perspective([0.1, -1.04, 0.2], [0.0; 3], [0.3, 0.0, 1.0], half_width));
     }
     cameras.into_iter().map(Result::unwrap).collect()
 }

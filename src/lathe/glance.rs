@@ -45,13 +45,13 @@ pub(super) const ROOM: f32 = 2.5;
 /// The least that `bulge` is taken for.
 pub(super) const LEAST_BULGE: f32 = 1.0 / 64.0;
 
-/// The q of a ray that is not steep. A component of a ray's direction is less than four.
+/// The q of a ray that is not steep: whatever a direction's length, from 1 to 43.
 const FLAT: f32 = 0.25;
 
 /// How many of Newton's steps are taken, at most.
 const STEPS: u32 = 4;
 
-/// How far from the root, in the frame, a step may leave off.
+/// How far from the root, in units of the direction, a step may leave off.
 const ROOT: f32 = 1.0 / 33_554_432.0;
 
 impl View<'_> {
@@ -156,7 +156,8 @@ impl View<'_> {
             }
         };
         // From before the last step. That turned half the slope by less than three tenths of what it exceeds J by: the
-        // square of that is no more than ROOT·A/(2·doubt) of this one's, doubt at least 80·ROOT·(2 + S), and A at most 12·(2 + S).
+        // square of that is no more than ROOT·A/(2·doubt) of this one's, doubt at least 80·ROOT·(2 + S), and A at most 12·(2 + S):
+        // of a direction of more than four it is more, but so is `doubt`, by how far away the eye is.
         let steep = 0.5 * slope - jump();
         let (u, way) = (u + kappa * s, s - back);
         let unit = frame.scale * ray.unit;

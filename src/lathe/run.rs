@@ -18,7 +18,7 @@ const DOUBT: f32 = 1.0 / 4096.0;
 /// What rounding can do at a unit's distance: sixteen units of 2⁻²⁴, four times what it was seen to do.
 pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 
-/// How far from the root a step may leave off.
+/// How far from the root a step may leave off, in units of the direction.
 const ROOT: f32 = 1.0 / 524_288.0;
 
 impl Lathe {
@@ -55,7 +55,9 @@ impl Lathe {
         let distance = shift.abs() * length + frame.size;
         let rounding = ROUNDING * distance * (2.0 + frame.steepest);
         let doubt = DOUBT + rounding;
-        let is_usable = least > 0.25 * square && q > 0.0 && shift > span && doubt < 0.25;
+        // Steps count in units of the direction, and a very wide camera's are long: no longer than √8 here, for shift > span
+        // keeps ends as far apart as the one half way is long.
+        let is_usable = least > 0.25 * square && square < 4.0 && q > 0.0 && shift > span && doubt < 0.25;
 
         let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
         // Rounding can do as much to a height.
@@ -84,7 +86,7 @@ impl Lathe {
             (is_mirrored, middle)
         };
         let (origin, direction) = run.at(middle as f32 - 0.5 - centre);
-        // No ray of a usable run is longer than three halves of the one half way.
+        // No ray of a usable run is longer than √2 times the one half way.
         let longest = 2.25 * square;
         // A bound on half of g″ on any of them.
         let most = longest + frame.curvature * (steep * steep);
@@ -109,7 +111,7 @@ impl Lathe {
             bulge: q / (steep * steep),
             drift: 0.25 * drift / span,
             doubt,
-            slack: 4.0 * Native::sqrt(doubt) + 16.0 * ROOT * most,
+            slack: 2.0 * Native::sqrt(longest * doubt) + 16.0 * ROOT * most,
             tolerance: ROOT / most,
             following: false,
             sign: 1.0,

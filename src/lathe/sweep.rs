@@ -62,7 +62,7 @@ pub(crate) struct Sweep<'a> {
     /// The slope that a root must have: behind it g comes to more than doubt, A² > 4·q·doubt, if nothing bends it more than
     /// q; and there is one where a step leaves off, whatever bends it.
     pub(super) slack: f32,
-    /// A step s leaves an error of `s²/slope` over this.
+    /// A step d leaves an error of `d²·|g″/2|/slope`: at most 2⁻¹⁹, if `d²` is no more than this times the slope.
     pub(super) tolerance: f32,
 
     /// Whether there is a root to follow, and whether it enters the solid, 1, or leaves it, −1.

@@ -163,7 +163,8 @@ fn panel(area: &Area, title: &str, points: &[Point]) -> Result<(), Box<dyn Error
     }));
     for (point, &place) in points.iter().zip(&places) {
         let text = point.label(points);
-        let size = (text.chars().count() as i32 * 13 * 55 / 100, 13);
+        let (width, _) = area.estimate_text_size(&text, &("sans-serif", 13).into_text_style(area))?;
+        let size = (width as i32, 13);
         let (spot, aside) = spot(place, size, right as i32, &taken);
         taken.push(spot);
         let (x, y) = (spot.x, spot.y);

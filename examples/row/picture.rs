@@ -72,5 +72,5 @@ fn words(svg: &mut Svg, [_, silhouette]: [Point; 2]) {
     svg.words([1.87, 0.1], 2.6, END, "outwards, root by root");
     svg.words([silhouette[0], silhouette[1] + 0.09], 0.0, MIDDLE, "silhouette");
     svg.words([0.5 * (silhouette[0] + FAR) - 0.12, 0.015], 0.0, MIDDLE, "inside, g &gt; 0");
-    svg.words([FAR - 0.01, -0.3], 0.0, END, "g = 0");
+    svg.words([2.61, -0.245], 0.0, MIDDLE, "g = 0");
 }

@@ -102,7 +102,7 @@ struct Frame {
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
     steepest: f32,
     curvature: f32,
-    /// Half the largest second derivative, or a little, and half the sum of all jumps upwards of the first, at joins.
+    /// Half the largest second derivative, or `LEAST_BULGE` if that is more, and half the sum of all jumps upwards of the first, at joins.
     bulge: f32,
     kinks: f32,
     /// The lower end's plane, and the upper one's.

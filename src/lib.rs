@@ -35,7 +35,7 @@
 //!
 //! # The pipe
 //!
-//! Each stage is a file, and names only files to its left.
+//! Each stage is a file, and names only files to its left. (`valid`, `scene_error` and `seldom` are everybody's.)
 //!
 //! ```text
 //! math → vector → cubic → solve → profile → ray → rays → hit → lathe → surface → color → light → camera

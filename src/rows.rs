@@ -43,6 +43,13 @@ pub struct Picture<'a> {
     pub(crate) height: u32,
 }
 
+impl Scene<'_> {
+    /// The scene as a picture of so many pixels, none of them reckoned yet.
+    pub const fn picture(&self, width: u32, height: u32) -> Picture<'_> {
+        Picture { scene: self, width, height }
+    }
+}
+
 impl Picture<'_> {
     /// How many pixels a row has.
     pub const fn width(&self) -> u32 {

@@ -3,7 +3,6 @@
 use crate::camera::Camera;
 use crate::color::Background;
 use crate::light::Light;
-use crate::rows::Picture;
 use crate::solid::Solid;
 
 /// Solids, a camera, a light and a background. All of it can be a `static`, in flash.
@@ -39,11 +38,4 @@ pub struct Scene<'a> {
     pub light: Light,
     /// Before what.
     pub background: Background,
-}
-
-impl Scene<'_> {
-    /// The scene as a picture of so many pixels, none of them reckoned yet.
-    pub const fn picture(&self, width: u32, height: u32) -> Picture<'_> {
-        Picture { scene: self, width, height }
-    }
 }

@@ -8,10 +8,10 @@
 //!
 //! | solver | closed form | then | cost |
 //! |---|---|---|---|
-//! | [`Split`] | the parabola at the nearer turning point, bent by the cubic term | one Newton step | one root, four divisions, a short polynomial |
-//! | [`Cardano`] | Cardano's formula, trigonometric or with a cube root | [`refine`] | an arc cosine and a cosine, or a cube root, and Newton's steps |
+//! | [`Split`] | the parabola at the nearer turning point, bent by the cubic term | one Newton step | one root, four divisions or five, a short polynomial |
+//! | [`Cardano`] | Cardano's formula, trigonometric or with a cube root | [`refine`](fn@refine) | an arc cosine and a cosine, or a cube root, and Newton's steps |
 //!
-//! A closed form that is poor, or poor at times, is brought to full accuracy by [`refine`], in a bracket. The
+//! A closed form that is poor, or poor at times, is brought to full accuracy by [`refine`](fn@refine), in a bracket. The
 //! default needs none: it is good everywhere, and its cost differs little from one cubic to another.
 //!
 //! Rays that a glance does not tell are walked along with the smallest of all, Newton's method in a bracket and nothing

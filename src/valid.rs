@@ -14,7 +14,7 @@
 /// use embedded_lathe::{Lathe, Profile, Segment, valid};
 ///
 /// static WRONG: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::new(&[1.0, 0.0], &[1.0, 1.0, 1.0, 1.0])));
-/// // error: evaluation panicked: not above the knot before it: knot 1
+/// // error: evaluation panicked: not above the knot before it, or by too little: knot 1
 /// ```
 ///
 /// It works for every error of this crate whose constructor is `const`:

@@ -14,7 +14,7 @@ const RAYS: u32 = 250;
 const SIDE: u32 = 4_000;
 
 /// Two answers are one crossing if they are nearer to each other than this part of their distance and the solid's size:
-/// behind a root that a glance tells g rises above doubt, sixteen roundings at least, and its root is 10⁻³.
+/// behind a root that a glance tells g rises above doubt, sixteen units of 2⁻²⁴ at least, whose square root is 10⁻³.
 const SAME: f32 = 1e-3;
 
 /// Hits of a lathe of eight segments.

@@ -64,7 +64,7 @@ fn a_squared_radius_may_touch_zero_but_not_pass_it() {
 #[test]
 fn a_message_reads_well() {
     let error = profile(&[0.0, 0.4, 0.3], &ORDINATES).unwrap_err();
-    assert_eq!(error.to_string(), "not above the knot before it: knot 2");
+    assert_eq!(error.to_string(), "not above the knot before it, or by too little: knot 2");
     assert_eq!(
         profile(&KNOTS, &ORDINATES[..6]).unwrap_err().to_string(),
         "the number of ordinates is not 3 a segment and 1 more: it should be 7"

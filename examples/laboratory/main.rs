@@ -1,9 +1,9 @@
 //! The laboratory's pictures and tables, written to `docs/`.
 //!
 //! ```text
-//! cargo run --release --example laboratory               all of it: tables, cost, charts, atlas
+//! cargo run --release --example laboratory               tables, cost, charts, page and atlas
 //! cargo run --release --example laboratory -- tables     docs/solvers.csv, docs/intersections.csv
-//! cargo run --release --example laboratory -- cost       docs/cost-host.csv, instructions counted by valgrind
+//! cargo run --release --example laboratory -- cost       docs/cost-host.csv, docs/cost-sextic.csv, counted by valgrind
 //! cargo run --release --example laboratory -- charts     docs/cost-and-error.svg, docs/cost-and-error-soft-float.svg
 //! cargo run --release --example laboratory -- page       the tables of docs/ACCURACY.md, from the CSV files
 //! cargo run --release --example laboratory -- atlas      docs/atlas-*.png, docs/eye-level.png

@@ -65,7 +65,9 @@ impl ProfileError {
                 ("the number of ordinates is not 3 a segment and 1 more: it should be ", Some(expected))
             }
             Self::KnotNotFinite { knot } => ("not finite: knot ", Some(knot)),
-            Self::KnotsNotIncreasing { knot } => ("not above the knot before it: knot ", Some(knot)),
+            Self::KnotsNotIncreasing { knot } => {
+                ("not above the knot before it, or by too little: knot ", Some(knot))
+            }
             Self::OrdinateNotFinite { point } => ("not finite: ordinate ", Some(point)),
             Self::Negative { segment } => ("the squared radius is negative in segment ", Some(segment)),
             Self::Size => ("the squared radius has no largest value between 1e-30 and 1e30", None),

@@ -10,8 +10,8 @@ pub(super) struct Extremes {
     pub largest: f32,
 }
 
-/// Of the largest ordinate: what de Casteljau's six interpolations, each rounded three times at most, can be
-/// off by, rounded up.
+/// Of the largest ordinate: what de Casteljau's three levels of interpolation can be off by, each by two and a half roundings
+/// at most (of a term, of the sum, and half of one in 1 − u), rounded up.
 const ROUNDING: f32 = 8.0 / 16_777_216.0;
 
 impl Extremes {

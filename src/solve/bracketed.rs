@@ -10,7 +10,7 @@ const UNIT: f32 = 1.0 / 16_777_216.0;
 
 /// Newton's method in a bracket, no more: a step that leaves it is replaced by its middle.
 ///
-/// The smallest solver, for rays that are seldom asked about. A step of 2⁻²⁴ of the piece is none.
+/// The smallest solver, for rays that are seldom asked about.
 pub(crate) struct Bracketed;
 
 impl Solver for Bracketed {

@@ -3,8 +3,8 @@ use crate::cubic::Cubic;
 use crate::math::Math;
 use crate::math::order::{greater, lesser};
 
-/// Where a cubic first crosses zero: it is positive from `lo` to the crossing, and negative, or zero, at `hi`,
-/// which the crossing is the only one before.
+/// Where a cubic first crosses zero: it is positive from `lo` to the crossing, and negative, or zero, at `hi`. There is
+/// no other crossing between them.
 ///
 /// ```
 /// use embedded_lathe::{Cubic, math::Native, solve::{Piece, Solver, refine}};

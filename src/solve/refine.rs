@@ -9,7 +9,10 @@ const MOST_STEPS: u32 = 160;
 const UNIT: f32 = 1.0 / 16_777_216.0;
 
 /// The root of `g` in a piece, by Newton's method from any seed, NaN too: a poor one costs time, never the
-/// answer. For solvers whose seeds are poor, or poor at times.
+/// answer. For solvers whose seeds are poor, or poor at times: `g` as a [`Solver`](super::Solver) is given it, above zero
+/// where the piece begins. [`Piece`] has an example.
+///
+/// Cost: from a fair seed two or three steps, each with a division, and 160 at most.
 ///
 /// Held in the bracket that the signs of `g` draw ever closer; a step that leaves the bracket is replaced by
 /// its middle. After a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`.

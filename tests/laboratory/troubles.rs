@@ -3,7 +3,7 @@
 use super::TOUCHING;
 use super::families::Question;
 use super::forms;
-use crate::cases::{Case, Cast, Family, Outline, case, outline, outlines};
+use crate::cases::{Case, Family, Outline, case, outline, outlines};
 use rand::RngExt;
 use rand::rngs::ChaCha8Rng;
 use std::sync::OnceLock;
@@ -22,10 +22,7 @@ impl Trouble {
         let turn = index as usize;
         let outline = &self.outlines[turn % self.outlines.len()];
         let family = self.families[turn / self.outlines.len() % self.families.len()];
-        let mut case = case(outline, family, seed, index);
-        // Open ends, so that every method is asked the same: where is the wall?
-        case.cast = Cast { ..case.cast };
-        case
+        case(outline, family, seed, index)
     }
 
     pub fn all() -> &'static [Self] {
@@ -124,9 +121,7 @@ pub fn chord(rng: &mut ChaCha8Rng, silhouette: bool) -> Question {
         if chords.is_empty() {
             continue;
         }
-        let Question { c, lo, hi } =
-            Question { c: chords[rng.random_range(0..chords.len())].c, lo: 0.0, hi: 1.0 };
-        let question = Question { c, lo, hi };
+        let question = Question { c: chords[rng.random_range(0..chords.len())].c, lo: 0.0, hi: 1.0 };
         if !silhouette || grazes(&question) {
             return question;
         }

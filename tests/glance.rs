@@ -111,6 +111,23 @@ fn the_nearest_hit_is_the_first_of_all() {
     assert!(hits > LATHES * RAYS / 10, "{hits} hits");
 }
 
+/// From within a needle, however high, a ray leaves it.
+#[test]
+fn rays_leave_a_needle() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1995);
+    for height in [1e3, 1e5, 3e5, 1e6] {
+        let needle = Lathe::turn(Profile::<1>::cylinder(1.0, height).unwrap());
+        for _ in 0..10_000 {
+            let origin = [0.0, 0.0, height * even(&mut rng, 0.001, 0.999)];
+            let ray = Ray::new(origin, [even(&mut rng, 0.1, 2.0), even(&mut rng, -2.0, 2.0), 1.0]).unwrap();
+            let (nearest, all): (_, heapless::Vec<Hit, 5>) =
+                (needle.nearest(&ray, 0.0), needle.hits(&ray, 0.0));
+            assert!(nearest.is_some_and(|hit| !hit.enters), "{height:e}: {ray:?}");
+            assert_eq!(nearest, all.first().copied(), "{height:e}: {ray:?}");
+        }
+    }
+}
+
 /// Rays that begin on the surface, at a join, a wall or a rim: as many hits as by a walk, the nearest among them.
 #[test]
 fn rays_from_the_surface() {

@@ -7,6 +7,9 @@ use crate::math::order::{greater, lesser};
 use crate::solve::Solver;
 use core::ops::ControlFlow;
 
+/// Two units in the last place, and two more.
+const ROUNDING: f32 = 1.0 / 4_194_304.0;
+
 /// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
 /// until told to stop. With `SIGNS` one that must be there is reported unfound, anywhere on its chord.
 ///
@@ -23,7 +26,8 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     if path.square > frame.reach {
         return None;
     }
-    let half = S::Math::sqrt((frame.reach - path.square) / path.q);
+    // Far up a needle that is wider by what rounding does to a place.
+    let half = S::Math::sqrt((frame.reach - path.square) / path.q) + ROUNDING * path.nearest.abs();
     let up = path.rises();
     let (bottom, top) = path.slab(frame.low, frame.high);
     let first = t_min * path.unit - path.shift;

@@ -41,6 +41,7 @@ pub(crate) use sweep::Sweep;
 
 use crate::hit::{Hit, Part};
 use crate::math::constant;
+use crate::math::order::{greater, lesser};
 use crate::profile::{End, Profile};
 use crate::vector::{F32x3, largest, vector};
 use segment::{larger, power_of_two_for, widened};
@@ -206,20 +207,23 @@ impl<const N: usize> Lathe<[Segment; N]> {
             curvature = larger(curvature, segments[i].curvature());
             i += 1;
         }
-        let (high, reach) = (segments[len - 1].high, widened(largest * scale * scale));
+        let (low, high) = (segments[0].low, segments[len - 1].high);
+        // The middle is rounded.
+        let half = high.max(-low);
+        let reach = widened(largest * scale * scale);
         let root_squash = constant::sqrt(profile.squash);
-        let size = constant::sqrt(reach + high * high);
+        let size = constant::sqrt(reach + half * half);
         let frame = Frame {
             len,
             squash: profile.squash,
             root_squash,
             scale,
             middle,
-            low: segments[0].low,
+            low,
             high,
             reach,
             size,
-            half_height: high / scale,
+            half_height: half / scale,
             radius: constant::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
@@ -273,6 +277,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     pub(crate) fn gradient_at(&self, point: F32x3, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
         let slope = segments.get(hit.segment).map_or(0.0, |segment| segment.at(hit.u).1 * segment.per_height);
+        // A segment of no height in the frame has none.
+        let slope = lesser(f32::MAX, greater(-f32::MAX, slope));
         let (x, y) = (frame.squash * frame.scale * point.x, frame.scale * point.y);
         let gradient = vector([x, y, -0.5 * slope]);
         let pole = |z| vector([0.0, 0.0, z]);

@@ -62,7 +62,8 @@ impl Sweep<'_> {
             let ray = self.ray(i);
             let path = self.path(ray);
             // Level with an end's plane, it may meet the rim.
-            if (path.z.abs() - self.lathe.frame.high).abs() + path.dz.abs() < self.doubt {
+            let frame = self.lathe.frame;
+            if lesser((path.z - frame.low).abs(), (path.z - frame.high).abs()) + path.dz.abs() < self.doubt {
                 return i;
             }
             let reach = self.reach(&path);

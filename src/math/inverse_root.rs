@@ -1,4 +1,4 @@
-/// 1/√x within 10⁻⁶, for normal numbers, by additions and multiplications only: the same bits everywhere, and less
+/// 1/√x within 10⁻⁶, for normal numbers (for others, whatever it is), by additions and multiplications only: the same bits everywhere, and less
 /// than half of what a root and a division take on a Cortex-M4F.
 ///
 /// Half the exponent and a start on the mantissa come from the bits of x (Walsh). Two steps
@@ -6,7 +6,7 @@
 /// start's ±3.4 % there is left 8.8·10⁻⁴, of that 8·10⁻⁷, and rounding.
 pub(crate) fn inverse_root(x: f32) -> f32 {
     let half = 0.5 * x;
-    let y = f32::from_bits(0x5f37_6800 - (x.to_bits() >> 1));
+    let y = f32::from_bits(0x5f37_6800_u32.wrapping_sub(x.to_bits() >> 1));
     let y = y * (1.500_879_8 - half * (y * y));
     y * (1.500_000_4 - half * (y * y))
 }

@@ -14,6 +14,10 @@ use core::{ptr, slice};
 /// plane.
 const ROUNDING: f32 = 1.0 + 1.0 / 2_097_152.0;
 
+/// Of two solids' radii, squared: so little more is asked for that a normal which is nothing but rounding parts nothing. Its own
+/// square may vanish.
+const LEAST: f32 = 1e-12;
+
 /// As far away as parallel rays come from, in radii. What counts is only on which side of a plane.
 const FAR: f32 = 1_048_576.0;
 
@@ -58,6 +62,7 @@ impl Camera {
         let between = far.centre_from(origin) - near.centre_from(origin);
         let (radius, away) = (far.radius(), far.centre_from(self.eye));
         let radii = radius + near.radius();
+        let least = LEAST * radii * radii;
         let away = match self.projection {
             Projection::Perspective => away,
             Projection::Orthographic => self.forward * (FAR * radii),
@@ -69,7 +74,7 @@ impl Camera {
         let beside = flat - view * (dot(flat, view) / dot(view, view));
         [flat, axial, beside].into_iter().any(|n| {
             let reach = far.reach(n);
-            ROUNDING * dot(between, n) > reach + near.reach(n) && dot(away, n) > ROUNDING * reach
+            ROUNDING * dot(between, n) > reach + near.reach(n) + least && dot(away, n) > ROUNDING * reach
         })
     }
 }

@@ -37,6 +37,7 @@ pub(super) enum Glance {
 ///
 /// Rounding puts the square of the distance from the axis off by 23·r² units at most, r the radius, and 4·|back|·√q; the
 /// squared radius by 10·r² + 4.5·S·size, and by S times what the height is off by, 9·size + 3·r·|dz|/√q + 11·|back·dz|.
+/// On an end's plane the former is off by what the height is, times |2·q·away/dz|, more: there doubt is 1 + |q·away/dz| times as large.
 /// Where K is below zero, |dz|/√q is below 8; where q is no less than [`FLAT`], √q is at most 2·(q + dz²), |dz| at most q + dz².
 pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 /// How many times the solid's size.
@@ -78,7 +79,7 @@ impl View<'_> {
         let mut back = (o.x * x + o.y * d.y) * frame.scale * per_q;
         let mut square = moment * per_q;
         let mut z = (o.z - frame.middle) * frame.scale - d.z * back;
-        let doubt = frame.rounding * (frame.room + back.abs() * (q + rise));
+        let mut doubt = frame.rounding * (frame.room + back.abs() * (q + rise));
         let jump = || (frame.kinks * d.z).abs();
 
         // Half the slope of the square.
@@ -90,7 +91,9 @@ impl View<'_> {
             let away = (end - z) / d.z;
             pull = q * away;
             square += pull * away;
-            if square > frame.reach {
+            // The flatter the ray, the farther off rounding may put the place, and so this.
+            doubt *= 1.0 + (pull / d.z).abs();
+            if square > frame.reach + doubt {
                 return Glance::Misses;
             }
             (z, back) = (end, back - away);
@@ -119,7 +122,8 @@ impl View<'_> {
             let apart = c1 * c1 - c2 * c0;
             let s = (Native::sqrt(apart) - c1) / c2;
             let to = u + kappa * s;
-            if 0.0 <= to && to <= 1.0 {
+            // From 0 to 1, as a number's bits tell: only those below zero have more.
+            if to.to_bits() <= 1_f32.to_bits() {
                 break (segment, u, kappa, [c0, c1, c2], s);
             }
             seldom();

@@ -2,7 +2,7 @@
 
 use crate::ray::Ray;
 use crate::scene_error::SceneError;
-use crate::vector::{F32x3, cross, difference, dot, scale, unit, vector};
+use crate::vector::{F32x3, cross, difference, dot, one_norm, scale, unit, vector};
 
 /// A camera: perspective or orthographic.
 ///
@@ -26,6 +26,8 @@ pub struct Camera {
     /// As long, upwards.
     pub(crate) up: F32x3,
     pub(crate) projection: Projection,
+    /// Rays have their origins rounded one by one, as numbers of this size are: nothing, if they have one in common.
+    pub(crate) rough: f32,
 }
 
 /// How a camera's rays run.
@@ -98,12 +100,18 @@ impl Camera {
         let Some(right) = unit(right) else {
             return Err(SceneError::UpDirection);
         };
+        // In a picture as much as three times as high as wide.
+        let rough = match projection {
+            Projection::Perspective => 0.0,
+            Projection::Orthographic => one_norm(eye) + 6.0 * half_width,
+        };
         Ok(Self {
             eye,
             forward,
             right: scale(right, half_width),
             up: scale(cross(right, forward), half_width),
             projection,
+            rough,
         })
     }
 

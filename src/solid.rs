@@ -110,7 +110,7 @@ impl<'a> Solid<'a> {
             Projection::Orthographic => (step * unit, none),
         };
         let rays = Rays { origin, origin_step, direction, direction_step };
-        let sweep = self.lathe.sweep(&rays, unit, (start, end));
+        let sweep = self.lathe.sweep(&rays, unit, row.camera.rough, (start, end));
         SolidRow { solid: self, row, views: Views { first: direction, step: direction_step }, sweep }
     }
 

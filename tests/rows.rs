@@ -304,6 +304,27 @@ fn what_is_within_another_solid_is_hidden() {
     }
 }
 
+/// Of two whose axes all but coincide, the hidden one stays hidden, however near they come.
+#[test]
+fn one_almost_within_another_is_hidden() {
+    let cylinder = Lathe::turn(Profile::<1>::cylinder(1.0, 1.0).unwrap());
+    for near in [1e-10, 1e-22, 1e-25, 1e-30] {
+        let inner = Pose::new([near, 0.8 * near, -0.6], Rotation::IDENTITY, 0.5).unwrap();
+        let solids = [
+            Solid::new(&cylinder, Rgb::new(1.0, 0.0, 0.0)),
+            Solid::new(&cylinder, Rgb::new(0.0, 1.0, 0.0)).posed(inner),
+        ];
+        let colours = [Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 1.0, 0.0)];
+        let (towards, ambient) = ([0.3, -1.0, 0.5], 0.5);
+        let camera = Camera::perspective([4.5, -0.1, 2.2], [0.0; 3], [0.0, 0.0, 1.0], 0.4).unwrap();
+        let light = Light::new(towards, ambient).unwrap();
+        let scene = Scene { solids: &solids, camera, light, background: BLACK };
+        let mut difference = Difference::default();
+        difference.add(&Known { scene, colours: &colours, towards, ambient }, 60, &format!("{near:e} apart"));
+        difference.assert_none();
+    }
+}
+
 /// Everything so many times as large, by powers of two, is the same to the last bit.
 #[test]
 fn a_world_of_any_size_looks_the_same() {
@@ -416,6 +437,109 @@ fn a_waist_seen_from_within_is_that_of_single_rays() {
         }
     }
     difference.assert_none();
+}
+
+/// A solid that lies across the picture: its rows' rays are mirror images of each other but for heights, which count at its
+/// ends.
+#[test]
+fn a_cylinder_lying_down_is_that_of_single_rays() {
+    let cylinder = |end| Lathe::turn(Profile::<1>::cylinder(1.0, 2.0).unwrap().base(end).top(end));
+    let mut difference = Difference::default();
+    for lathe in [cylinder(End::Capped), cylinder(End::Open)] {
+        for z in [0.0, 1.0, 1.9] {
+            let (eye, at, up) = ([5.0, 0.1, z], [0.0, 0.1, z], [0.0, 1.0, 0.0]);
+            let cameras = [Camera::orthographic(eye, at, up, 1.5), Camera::perspective(eye, at, up, 0.3)];
+            for camera in cameras {
+                let what = format!("from {eye:?}");
+                compare_lone(&mut difference, Solid::new(&lathe, Rgb::WHITE), camera.unwrap(), 60, &what);
+            }
+        }
+    }
+    difference.assert_none();
+}
+
+/// A ring so low, so high up, that its middle is rounded to one of its ends.
+#[test]
+fn a_solid_whose_middle_is_rounded_is_that_of_single_rays() {
+    let [low, high] = [1000.0001, 1000.0003];
+    let ring = [1.926_030_7e-10, 1.926_030_7e-10, 2.416_913_6e-10, 1.901_072_1e-10];
+    let ring = Lathe::turn(Profile::<1>::new(&[low, high], &ring).unwrap().base(End::Capped));
+    let eye = [0.005_867_148_3, -0.005_859_375, low];
+    let at = [eye[0] - 1.0, eye[1] + 1.0, low];
+    let camera = Camera::perspective(eye, at, [1.0, 1.0, 0.0], 0.001).unwrap();
+    let mut difference = Difference::default();
+    compare_lone(&mut difference, Solid::new(&ring, Rgb::WHITE), camera, 48, "ring");
+    assert_eq!((difference.mask, difference.more), (0, 0), "{difference:?}");
+    assert!(difference.covered > 1_000, "{difference:?}");
+}
+
+/// Parallel rays begin at places of the world, each rounded there.
+#[test]
+fn parallel_rays_far_from_the_origin_are_those_of_single_rays() {
+    let ball = Lathe::turn(Profile::<1>::sphere(1.0).unwrap());
+    let place = [1e4, 3e3, 7e3];
+    let ball = Solid::new(&ball, Rgb::WHITE).posed(Pose::new(place, Rotation::IDENTITY, 1.0).unwrap());
+    let eye = [place[0] + 1.1, place[1] - 4.0, place[2] + 1.3];
+    let camera = Camera::orthographic(eye, place, [0.0, 0.0, 1.0], 1.3).unwrap();
+    let mut difference = Difference::default();
+    compare_lone(&mut difference, ball, camera, 240, "ball");
+    // So far out a step of an origin is a thousandth of the ball, and of its shades.
+    assert_eq!(difference.mask, 0, "{difference:?}");
+    assert!(difference.covered > 20_000, "{difference:?}");
+}
+
+/// An eye on an open end's rim, and rays almost in its plane: rounding tells where they pass that.
+#[test]
+fn rays_from_a_rim_are_those_of_single_rays() {
+    let ordinates = [0.516_344_8, 0.100_530_04, 0.287_232_82, 0.225_039_26];
+    let low = -0.649_274_23;
+    let profile = Profile::<1>::new(&[low, 0.119_349_12], &ordinates).unwrap();
+    let lathe = Lathe::turn(profile.base(End::Open).top(End::Open));
+    let (eye, at) = ([0.0, -0.718_571_36, low], [0.0, 0.0, low]);
+    let camera = Camera::perspective(eye, at, [1.0, 0.0, 1.0], 0.001).unwrap();
+    let mut difference = Difference::default();
+    compare_lone(&mut difference, Solid::new(&lathe, Rgb::WHITE), camera, 60, "rim");
+    difference.assert_none();
+}
+
+/// A sheet among whose segments some are too low to have a height beside the others.
+#[test]
+fn where_a_wall_has_no_slope_it_has_a_normal() {
+    let knots = [-102_034_510.0, -1.725_744_2, -0.021_551_609, 0.224_632_26];
+    let wall = [
+        0.466_442_58,
+        1.276_554_1,
+        8.800_485_6e-23,
+        1.377_190_1,
+        1.006_616_1,
+        1.602_684,
+        1.457_845_2,
+        1.828_824,
+        1.882_505_9,
+        0.0,
+    ];
+    let sheet = Profile::<3>::new(&knots, &wall).unwrap().squash(0.0).unwrap();
+    let sheet = Lathe::turn(sheet.base(End::Open).top(End::Open));
+    let pose = Pose::new([1.243_113_5, -0.191_487_79, -0.196_320_53], Rotation::IDENTITY, 1.0).unwrap();
+    let solids = [Solid::new(&sheet, Rgb::WHITE).posed(pose)];
+    let eye = [0.177_331_92, -1.084_042_5, 1.545_180_3];
+    let at = [eye[0] - 0.1, eye[1] + 0.9, eye[2] - 1.0];
+    let camera = Camera::perspective(eye, at, [0.0, -1.0, 3.5e-7], 0.230_720_3).unwrap();
+    let light = Light::new([0.3, -1.0, 0.5], 0.5).unwrap();
+    let scene = Scene { solids: &solids, camera, light, background: BLACK };
+    let mut row = [Rgb565::BLACK; 33];
+    let mut seen = 0;
+    for y in 0..33 {
+        scene.picture(33, 33).row(y, &mut row);
+        for x in 0..33 {
+            let ray = camera.ray(x, y, 33, 33);
+            let Some(hit) = solids[0].nearest(&ray, 0.0) else { continue };
+            let normal = solids[0].surface(&ray, &hit).normal.to_array();
+            assert!((normal.iter().map(|c| c * c).sum::<f32>() - 1.0).abs() < 1e-6, "{normal:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 100, "{seen}");
 }
 
 /// Rays so nearly level that they come into an open end's plane far outside the solid.

@@ -22,9 +22,10 @@ pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 const ROOT: f32 = 1.0 / 524_288.0;
 
 impl Lathe {
-    /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own.
+    /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own; each has its origin rounded by
+    /// itself, as a number of the size of `rough` is.
     #[inline(always)]
-    pub(crate) fn sweep(&self, rays: &Rays, unit: f32, (start, end): (u32, u32)) -> Sweep<'_> {
+    pub(crate) fn sweep(&self, rays: &Rays, unit: f32, rough: f32, (start, end): (u32, u32)) -> Sweep<'_> {
         let lathe = self.view();
         let frame = lathe.frame;
         let (d, d1) = (frame.squashed(rays.direction), frame.squashed(rays.direction_step));
@@ -52,16 +53,17 @@ impl Lathe {
         let q = flat(dc, dc) - 2.0 * half * flat(dc, d1).abs();
         let steep = dc.z.abs() + half * d1.z.abs();
         let drift = m1.z.abs() + span * d1.z.abs();
-        let distance = shift.abs() * length + frame.size;
-        let rounding = ROUNDING * distance * (2.0 + frame.steepest);
+        let unit = frame.scale * unit;
+        let distance = shift.abs() * length + frame.size + rough * unit;
+        // What rounding can do to a place, and to g.
+        let slip = ROUNDING * distance;
+        let rounding = slip * (2.0 + frame.steepest);
         let doubt = DOUBT + rounding;
-        // Steps count in units of the direction, and a very wide camera's are long: no longer than √8 here, for shift > span
-        // keeps ends as far apart as the one half way is long.
-        let is_usable = least > 0.25 * square && square < 4.0 && q > 0.0 && shift > span && doubt < 0.25;
+        // If the eye is beyond the span, the run's ends are no farther apart than twice what the one half way is long.
+        let is_usable = least > 0.25 * square && q > 0.0 && shift > span + slip && doubt < 0.25;
 
         let Plane { height, slope } = Plane::of(&run, frame.reach + doubt);
-        // Rounding can do as much to a height.
-        let slope = slope + ROUNDING * distance;
+        let slope = slope + slip;
         let (low, high) = (greater(frame.low, height - slope), lesser(frame.high, height + slope));
         let is_far = is_far || is_usable && low > high;
         // What is not seen has no middle: it is all one half.
@@ -70,7 +72,8 @@ impl Lathe {
         } else {
             // Over half the run g must not differ by more than rounding may make it, nor the plane of reflection be farther
             // from the axis and the ray half way.
-            let lopsided = 8.0 * lopsided(&run, span, drift * frame.steepest);
+            // Nor heights, for the solid's ends.
+            let lopsided = 8.0 * lopsided(&run, span, drift * (1.0 + frame.steepest));
             let is_mirrored = is_usable
                 && frame.squash == 1.0
                 && (end - start).is_multiple_of(2)
@@ -97,7 +100,7 @@ impl Lathe {
             may_follow: is_usable,
             rays: Rays { origin, direction, ..run },
             shift,
-            unit: frame.scale * unit,
+            unit,
             middle,
             end: end - middle,
             left: middle - start,

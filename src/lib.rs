@@ -69,6 +69,9 @@
 //!   distance, too.
 //! - A waist of no radius is as exact as the rest if a knot lies there. Where f touches zero inside a segment
 //!   the radius is known to √(8ε) of the segment's largest, for f is known to 8ε of its square.
+//! - Where a segment is much narrower than elsewhere, f is known to 16ε of its largest ordinate, and so the radius r to half of
+//!   that, over r. Beside an edge finer than a thousandth of the radius heights are known no better than elsewhere, and radii to
+//!   as many times that as the edge is steep.
 //! - Nearer than that to a silhouette a ray may hit or miss; it never hits far away. Nothing is NaN, nothing
 //!   panics, nothing slips through a join.
 //!

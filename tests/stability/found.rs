@@ -240,3 +240,32 @@ fn the_nearest_hit_and_all_hits_of_a_sheet() {
     let (lathe, ray) = (turned(&outline), ray.expect("finite"));
     assert_eq!(lathe.nearest(&ray, 0.0), lathe.hits::<50>(&ray, 0.0).first().copied());
 }
+
+/// A place much narrower than the segment's largest ordinate: the squared radius is known to 16 units of that, and so the radius to
+/// the fewer the larger it is.
+#[test]
+fn a_narrow_place_of_a_wide_segment() {
+    let rough = |knots: &[f32], segment: &[f32], origin, direction| {
+        let largest = segment.iter().copied().fold(0.0, f32::max);
+        met_unsure(
+            4.0 * PROMISE * f64::from(largest) * (-24f64).exp2(),
+            knots,
+            segment,
+            1.0,
+            origin,
+            direction,
+        );
+    };
+    rough(
+        &[-0.6152427, -0.15876913],
+        &[0.07037023, 0.07037023, 0.5998043, 0.07939239],
+        [-0.09009674, 0.1747075, -0.15261519],
+        [-0.19044228, 0.06442066, -0.9795824],
+    );
+    rough(
+        &[0.0016873094, 0.0018696894],
+        &[5.654629e-7, 4.1573318e-7, 5.157314e-6, 9.4204256e-7],
+        [0.00028825656, 0.0006945444, 0.001687332],
+        [-0.41606992, -0.30137932, 0.88148],
+    );
+}

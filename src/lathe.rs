@@ -291,3 +291,17 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reaches_from_its_middle_to_both_ends() {
+        let [low, high] = [1000.0001, 1000.0003];
+        let ring = Lathe::turn(Profile::<1>::new(&[low, high], &[0.25; 4]).unwrap());
+        let [below, above] = [low, high].map(|z| f64::from(z) - f64::from(ring.middle()));
+        assert!(below.abs() != above.abs(), "the middle is not rounded");
+        assert!(below.abs().max(above.abs()) <= f64::from(ring.half_height()), "{below} to {above}");
+    }
+}

@@ -502,6 +502,20 @@ fn rays_from_a_rim_are_those_of_single_rays() {
     difference.assert_none();
 }
 
+/// An eye so near to a needle's cap that rounding tells on which side of it rays begin.
+#[test]
+fn an_eye_at_a_needles_cap_sees_what_single_rays_do() {
+    let [low, high] = [-348.29932, 3958.5442];
+    let ordinates = [0.25595456, 0.25595456, 0.084514335, 0.47793397, 0.50057364, 0.14882949, 0.38656664];
+    let needle = Profile::<2>::new(&[low, 1527.9675, high], &ordinates).unwrap();
+    let needle = Lathe::turn(needle.base(End::Capped).top(End::Capped));
+    let (eye, at) = ([0.0, 0.0, -348.29944], [0.004_974_44, 0.016_966_347, -248.29944]);
+    let camera = Camera::orthographic(eye, at, [1.0, 0.0, 0.0], 0.735_974_67).unwrap();
+    let mut difference = Difference::default();
+    compare_lone(&mut difference, Solid::new(&needle, Rgb::WHITE), camera, 128, "needle");
+    difference.assert_none();
+}
+
 /// A sheet among whose segments some are too low to have a height beside the others.
 #[test]
 fn where_a_wall_has_no_slope_it_has_a_normal() {

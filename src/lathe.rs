@@ -103,7 +103,8 @@ struct Frame {
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
     steepest: f32,
     curvature: f32,
-    /// Half the largest second derivative, or `LEAST_BULGE` if that is more, and half the sum of all jumps upwards of the first, at joins.
+    /// Half the largest second derivative, or `LEAST_BULGE` if that is more, and half the sum of all jumps upwards of the
+    /// first, at joins.
     bulge: f32,
     kinks: f32,
     /// The lower end's plane, and the upper one's.
@@ -113,7 +114,7 @@ struct Frame {
     stride: usize,
     /// √k·scale: a ray's moment about the axis, in object space, times this is that in the frame.
     across: f32,
-    /// What doubt is made of: see `glance.rs`.
+    /// What rounding can do to g at a unit's distance, and how much more doubt there is at least: see `glance.rs`.
     rounding: f32,
     room: f32,
 }

@@ -37,7 +37,8 @@ pub(super) enum Glance {
 ///
 /// Rounding puts the square of the distance from the axis off by 23·r² units at most, r the radius, and 4·|back|·√q; the
 /// squared radius by 10·r² + 4.5·S·size, and by S times what the height is off by, 9·size + 3·r·|dz|/√q + 11·|back·dz|.
-/// On an end's plane the former is off by what the height is, times |2·q·away/dz|, more: there doubt is 1 + |q·away/dz| times as large.
+/// On an end's plane the former is off by what the height is, times |2·q·away/dz|, more: there doubt is 1 + |q·away/dz| times
+/// as large.
 /// Where K is below zero, |dz|/√q is below 8; where q is no less than [`FLAT`], √q is at most 2·(q + dz²), |dz| at most q + dz².
 pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 /// How many times the solid's size.

@@ -1,4 +1,5 @@
 use super::Frame;
+use super::path::flat;
 use crate::ray::Ray;
 use crate::vector::{F32x3, dot};
 
@@ -23,8 +24,7 @@ impl Line {
     #[inline(always)]
     pub fn new(frame: &Frame, ray: &Ray) -> Self {
         let (o, d) = (frame.squashed(frame.point(ray.origin)), frame.squashed(ray.direction));
-        let (q, rise) = (d.x * d.x + d.y * d.y, d.z * d.z);
-        let back = dot(o, d) / (q + rise);
-        Self { point: o - d * back, direction: d, q, back, unit: frame.scale * ray.unit }
+        let back = dot(o, d) / dot(d, d);
+        Self { point: o - d * back, direction: d, q: flat(d, d), back, unit: frame.scale * ray.unit }
     }
 }

@@ -4,6 +4,7 @@
 use super::Lathe;
 use super::first::First;
 use super::follow::STEPS;
+use super::glance::ROUNDING;
 use super::path::flat;
 use super::segment::Segment;
 use super::sweep::Sweep;
@@ -14,9 +15,6 @@ use crate::vector::{F32x3, cross, dot, one_norm, vector};
 
 /// In units of the frame, where the largest radius is between 1 and 2: what silhouettes are left in doubt.
 const DOUBT: f32 = 1.0 / 4096.0;
-
-/// What rounding can do at a unit's distance: sixteen units of 2⁻²⁴, four times what it was seen to do.
-pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
 
 /// How far from the root a step may leave off, in units of the direction.
 const ROOT: f32 = 1.0 / 524_288.0;
@@ -55,9 +53,9 @@ impl Lathe {
         let drift = m1.z.abs() + span * d1.z.abs();
         let unit = frame.scale * unit;
         let distance = shift.abs() * length + frame.size + rough * unit;
-        // What rounding can do to a place, and to g.
+        // What rounding can do to a place, and to g: four times what it was seen to do.
         let slip = ROUNDING * distance;
-        let rounding = slip * (2.0 + frame.steepest);
+        let rounding = frame.rounding * distance;
         let doubt = DOUBT + rounding;
         // If the eye is beyond the span, the run's ends are no farther apart than twice what the one half way is long.
         let is_usable = least > 0.25 * square && q > 0.0 && shift > span + slip && doubt < 0.25;
@@ -70,9 +68,8 @@ impl Lathe {
         let (is_mirrored, middle) = if is_far {
             (false, start)
         } else {
-            // Over half the run g must not differ by more than rounding may make it, nor the plane of reflection be farther
-            // from the axis and the ray half way.
-            // Nor heights, for the solid's ends.
+            // Over half the run neither g nor heights, for the solid's ends, must differ by more than rounding may make them,
+            // nor the plane of reflection be farther from the axis and the ray half way.
             let lopsided = 8.0 * lopsided(&run, span, drift * (1.0 + frame.steepest));
             let is_mirrored = is_usable
                 && frame.squash == 1.0

@@ -1,5 +1,5 @@
-/// 1/√x within 10⁻⁶, for normal numbers (for others, whatever it is), by additions and multiplications only: the same bits everywhere, and less
-/// than half of what a root and a division take on a Cortex-M4F.
+/// 1/√x within 10⁻⁶, for normal numbers (for others, whatever it is), by additions and multiplications only: the same bits
+/// everywhere, and less than half of what a root and a division take on a Cortex-M4F.
 ///
 /// Half the exponent and a start on the mantissa come from the bits of x (Walsh). Two steps
 /// `y ← y·(a − x/2·y²)` follow. Newton's would have a = 3/2, and err to one side; these split the error: of the

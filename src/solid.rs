@@ -286,14 +286,12 @@ impl Finish {
     // compiler decides otherwise.
     #[inline]
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, towards: &F32x3, views: &Views) -> Shades {
-        let Seen { gradient, per_length } = *seen;
-        let nl = per_length * gradient.dot(*towards);
-        let matt = self.ambient.with(self.direct.dimmed(Share::new(nl)));
+        let matt = self.matt(Share::new(seen.light(towards)));
         if self.is_matt() {
             return matt;
         }
         let full = const { Shades::of(C::SHADES) };
-        let share = self.gloss(gradient * per_length, towards, views, column);
+        let share = self.gloss(seen.gradient * seen.per_length, towards, views, column);
         matt.with_up_to(full.dimmed(share), const { Shades::of(C::SHADES).rounded() })
     }
 

@@ -310,11 +310,8 @@ fn one_almost_within_another_is_hidden() {
     let cylinder = Lathe::turn(Profile::<1>::cylinder(1.0, 1.0).unwrap());
     for near in [1e-10, 1e-22, 1e-25, 1e-30] {
         let inner = Pose::new([near, 0.8 * near, -0.6], Rotation::IDENTITY, 0.5).unwrap();
-        let solids = [
-            Solid::new(&cylinder, Rgb::new(1.0, 0.0, 0.0)),
-            Solid::new(&cylinder, Rgb::new(0.0, 1.0, 0.0)).posed(inner),
-        ];
         let colours = [Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 1.0, 0.0)];
+        let solids = [Solid::new(&cylinder, colours[0]), Solid::new(&cylinder, colours[1]).posed(inner)];
         let (towards, ambient) = ([0.3, -1.0, 0.5], 0.5);
         let camera = Camera::perspective([4.5, -0.1, 2.2], [0.0; 3], [0.0, 0.0, 1.0], 0.4).unwrap();
         let light = Light::new(towards, ambient).unwrap();
@@ -380,6 +377,13 @@ fn compare_lone(difference: &mut Difference, solid: Solid, camera: Camera, side:
     let light = Light::new(towards, ambient).unwrap();
     let scene = Scene { solids: &solids, camera, light, background: BLACK };
     difference.add(&Known { scene, colours: &[Rgb::WHITE], towards, ambient }, side, what);
+}
+
+/// The same, and one picture of it.
+fn lone(solid: Solid, camera: Camera, side: u32) -> Difference {
+    let mut difference = Difference::default();
+    compare_lone(&mut difference, solid, camera, side, "the picture");
+    difference
 }
 
 #[test]
@@ -467,8 +471,7 @@ fn a_solid_whose_middle_is_rounded_is_that_of_single_rays() {
     let eye = [0.005_867_148_3, -0.005_859_375, low];
     let at = [eye[0] - 1.0, eye[1] + 1.0, low];
     let camera = Camera::perspective(eye, at, [1.0, 1.0, 0.0], 0.001).unwrap();
-    let mut difference = Difference::default();
-    compare_lone(&mut difference, Solid::new(&ring, Rgb::WHITE), camera, 48, "ring");
+    let difference = lone(Solid::new(&ring, Rgb::WHITE), camera, 48);
     assert_eq!((difference.mask, difference.more), (0, 0), "{difference:?}");
     assert!(difference.covered > 1_000, "{difference:?}");
 }
@@ -481,8 +484,7 @@ fn parallel_rays_far_from_the_origin_are_those_of_single_rays() {
     let ball = Solid::new(&ball, Rgb::WHITE).posed(Pose::new(place, Rotation::IDENTITY, 1.0).unwrap());
     let eye = [place[0] + 1.1, place[1] - 4.0, place[2] + 1.3];
     let camera = Camera::orthographic(eye, place, [0.0, 0.0, 1.0], 1.3).unwrap();
-    let mut difference = Difference::default();
-    compare_lone(&mut difference, ball, camera, 240, "ball");
+    let difference = lone(ball, camera, 240);
     // So far out a step of an origin is a thousandth of the ball, and of its shades.
     assert_eq!(difference.mask, 0, "{difference:?}");
     assert!(difference.covered > 20_000, "{difference:?}");
@@ -497,9 +499,7 @@ fn rays_from_a_rim_are_those_of_single_rays() {
     let lathe = Lathe::turn(profile.base(End::Open).top(End::Open));
     let (eye, at) = ([0.0, -0.718_571_36, low], [0.0, 0.0, low]);
     let camera = Camera::perspective(eye, at, [1.0, 0.0, 1.0], 0.001).unwrap();
-    let mut difference = Difference::default();
-    compare_lone(&mut difference, Solid::new(&lathe, Rgb::WHITE), camera, 60, "rim");
-    difference.assert_none();
+    lone(Solid::new(&lathe, Rgb::WHITE), camera, 60).assert_none();
 }
 
 /// An eye so near to a needle's cap that rounding tells on which side of it rays begin.
@@ -511,9 +511,7 @@ fn an_eye_at_a_needles_cap_sees_what_single_rays_do() {
     let needle = Lathe::turn(needle.base(End::Capped).top(End::Capped));
     let (eye, at) = ([0.0, 0.0, -348.29944], [0.004_974_44, 0.016_966_347, -248.29944]);
     let camera = Camera::orthographic(eye, at, [1.0, 0.0, 0.0], 0.735_974_67).unwrap();
-    let mut difference = Difference::default();
-    compare_lone(&mut difference, Solid::new(&needle, Rgb::WHITE), camera, 128, "needle");
-    difference.assert_none();
+    lone(Solid::new(&needle, Rgb::WHITE), camera, 128).assert_none();
 }
 
 /// A sheet among whose segments some are too low to have a height beside the others.

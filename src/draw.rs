@@ -95,32 +95,32 @@ impl<'a> Picture<'a> {
     /// };
     ///
     /// let mut display = MockDisplay::<Gray4>::new();
-    /// let ball = SCENE.picture(32, 32).drawable::<Gray4>();
+    /// let ball = SCENE.picture(32, 32).image::<Gray4>();
     /// Image::new(&ball, Point::new(20, 10)).draw(&mut display)?;
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
-    pub const fn drawable<C: Paint + PixelColor>(self) -> Drawable<'a, C> {
-        Drawable { picture: self, colour: PhantomData }
+    pub const fn image<C: Paint + PixelColor>(self) -> PictureImage<'a, C> {
+        PictureImage { picture: self, colour: PhantomData }
     }
 }
 
 /// A [`Picture`] in a display's colours: an [`ImageDrawable`].
 ///
-/// Made by [`Picture::drawable`], where there is an example.
+/// Made by [`Picture::image`], where there is an example.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Drawable<'a, C> {
+pub struct PictureImage<'a, C> {
     picture: Picture<'a>,
     colour: PhantomData<C>,
 }
 
-impl<C> OriginDimensions for Drawable<'_, C> {
+impl<C> OriginDimensions for PictureImage<'_, C> {
     fn size(&self) -> Size {
         Size::new(self.picture.width, self.picture.height)
     }
 }
 
-impl<C: Paint + PixelColor> ImageDrawable for Drawable<'_, C> {
+impl<C: Paint + PixelColor> ImageDrawable for PictureImage<'_, C> {
     type Color = C;
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {

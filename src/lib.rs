@@ -50,7 +50,7 @@
 //! | [`Surface`] | a hit | its point and normal, for what is seen |
 //! | [`Solid`], [`Pose`], [`Light`], [`Camera`], [`Background`] | | what a [`Scene`] is made of |
 //! | [`Picture`] | a scene, a size | rows of pixels, one at a time |
-//! | [`Scene::draw`], [`Drawable`] | a scene | a `DrawTarget` of embedded-graphics |
+//! | [`Scene::draw`], [`PictureImage`] | a scene | a `DrawTarget` of embedded-graphics |
 //!
 //! # Letters
 //!
@@ -116,7 +116,7 @@ mod vector;
 pub use camera::Camera;
 pub use color::{Background, Paint, Rgb, Shades};
 pub use cubic::Cubic;
-pub use draw::Drawable;
+pub use draw::PictureImage;
 pub use hit::{Hit, Part};
 pub use lathe::{Lathe, Segment};
 pub use light::Light;

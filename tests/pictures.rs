@@ -92,14 +92,14 @@ fn every_way_gives_the_same_pixels() {
         }
         // As an image, part of which lies outside the display, at a place of its own.
         let mut clipped = SimulatorDisplay::<Rgb565>::new(Size::new(60, 50));
-        let drawable = scene.picture(width, height).drawable::<Rgb565>();
-        Image::new(&drawable, Point::new(-20, -10)).draw(&mut clipped).unwrap();
+        let image = scene.picture(width, height).image::<Rgb565>();
+        Image::new(&image, Point::new(-20, -10)).draw(&mut clipped).unwrap();
         for (x, y) in (0..60).flat_map(|x| (0..50).map(move |y| (x, y))) {
             compared.add(clipped.get_pixel(Point::new(x, y)), at(x as u32 + 20, y as u32 + 10), "clipped");
         }
         let area = Rectangle::new(Point::new(30, 20), Size::new(17, 9));
         let mut part = SimulatorDisplay::<Rgb565>::new(Size::new(17, 9));
-        Image::new(&drawable.sub_image(&area), Point::zero()).draw(&mut part).unwrap();
+        Image::new(&image.sub_image(&area), Point::zero()).draw(&mut part).unwrap();
         for (x, y) in (0..17).flat_map(|x| (0..9).map(move |y| (x, y))) {
             compared.add(part.get_pixel(Point::new(x, y)), at(x as u32 + 30, y as u32 + 20), "part");
         }
@@ -251,7 +251,7 @@ fn a_ball_in_sixteen_greys() {
         background: Background::Plain(Rgb::BLACK),
     };
     let mut display = MockDisplay::<Gray4>::new();
-    let ball = scene.picture(16, 16).drawable::<Gray4>();
+    let ball = scene.picture(16, 16).image::<Gray4>();
     ball.draw(&mut display).unwrap();
     display.assert_pattern(&[
         "0000000000000000",
@@ -375,5 +375,46 @@ fn rotations_turn_by_their_angle() {
         }
         let about = Rotation::about([0.0, 0.0, 2.0], angle).unwrap().apply([1.0, 0.0, 0.0]);
         assert!((about.x - z.x).abs() < 2e-7 && (about.y - z.y).abs() < 2e-7);
+    }
+}
+
+/// All names of this crate and of embedded-graphics' prelude at once, in either order.
+#[deny(warnings)]
+mod both_preludes {
+    macro_rules! draws {
+        ($first:path, $second:path) => {
+            use $first::*;
+            use $second::*;
+
+            #[test]
+            fn a_line_and_a_scene() {
+                use embedded_graphics::image::Image;
+                use embedded_graphics::mock_display::MockDisplay;
+                use embedded_graphics::pixelcolor::Gray4;
+                use embedded_graphics::primitives::{Line, PrimitiveStyle};
+
+                let mut display = MockDisplay::<Gray4>::new();
+                let style = PrimitiveStyle::with_stroke(Gray4::WHITE, 1);
+                Line::new(Point::zero(), Point::new(9, 0)).into_styled(style).draw(&mut display).unwrap();
+                let scene = Scene {
+                    solids: &[],
+                    camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+                    light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+                    background: Background::Plain(Rgb::WHITE),
+                };
+                let image = scene.picture(4, 4).image::<Gray4>();
+                Image::new(&image, Point::new(0, 10)).draw(&mut display).unwrap();
+                for place in [Point::new(9, 0), Point::new(3, 13)] {
+                    assert_eq!(display.get_pixel(place), Some(Gray4::WHITE));
+                }
+            }
+        };
+    }
+
+    mod lathe_first {
+        draws!(embedded_lathe, embedded_graphics::prelude);
+    }
+    mod graphics_first {
+        draws!(embedded_graphics::prelude, embedded_lathe);
     }
 }

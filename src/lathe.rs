@@ -57,11 +57,11 @@ use segment::{larger, power_of_two_for, widened};
 ///
 /// static VASE: Lathe<[Segment; 2]> = Lathe::turn(valid!(Profile::new(
 ///     &[0.0, 0.6, 1.0],
-///     &[0.04, 0.16, 0.2, 0.12, 0.05, 0.02, 0.07],
+///     &[0.04, 0.16, 0.2, 0.14, 0.1, 0.02, 0.07],
 /// )));
 ///
 /// let ray = Ray::new([0.0, -2.0, 0.5], [0.0, 1.0, 0.0])?;
-/// let hits: heapless::Vec<_, 8> = VASE.hits(&ray, 0.0);
+/// let hits = VASE.hits::<8>(&ray, 0.0);
 /// assert_eq!(hits.len(), 2);
 /// assert!(hits[0].enters && !hits[1].enters);
 /// assert_eq!(VASE.nearest(&ray, 0.0), Some(hits[0]));

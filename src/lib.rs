@@ -17,12 +17,15 @@
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
 //! use embedded_lathe::*;
 //!
-//! static VASE: Lathe<[Segment; 2]> = Lathe::turn(valid!(Profile::new(
-//!     &[0.0, 0.6, 1.0],                            // heights
-//!     &[0.04, 0.16, 0.2, 0.12, 0.05, 0.0, 0.07],   // squared radii, Bézier
-//! )));
+//! static VASE: Lathe<[Segment; 2]> = Lathe::turn(
+//!     valid!(Profile::new(
+//!         &[0.0, 0.6, 1.0],                         // heights
+//!         &[0.04, 0.16, 0.2, 0.14, 0.1, 0.0, 0.07], // squared radii, Bézier
+//!     ))
+//!     .base(End::Capped),
+//! );
 //! static SCENE: Scene = Scene {
-//!     solids: &[Solid::new(&VASE, Rgb::new(0.8, 0.45, 0.3))],
+//!     solids: &[Solid::new(&VASE, Rgb::new(0.85, 0.45, 0.3))],
 //!     camera: valid!(Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 0.3)),
 //!     light: valid!(Light::new([-0.5, -0.7, 0.5], 0.15)),
 //!     background: Background::Plain(Rgb::BLACK),
@@ -72,6 +75,8 @@
 //! - Where a segment is much narrower than elsewhere, f is known to 16ε of its largest ordinate, and so the radius r to half of
 //!   that, over r. Beside an edge finer than a thousandth of the radius heights are known no better than elsewhere, and radii to
 //!   as many times that as the edge is steep.
+//! - A ray along the axis may meet a segment that comes to a point at both its ends tens of units and more from where
+//!   it should.
 //! - Nearer than that to a silhouette a ray may hit or miss; it never hits far away. Nothing is NaN, nothing
 //!   panics, nothing slips through a join.
 //!

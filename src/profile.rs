@@ -57,12 +57,23 @@ pub enum End {
 ///
 /// Cylinders, cones, spheres, paraboloids and hyperboloids are exact; so is everything between them.
 ///
+/// From a drawing: a segment h high, with radius r₀ below and r₁ above, and there with slopes r₀′ and r₁′ (of radius over
+/// height), has
+///
+/// ```text
+/// b₀ = r₀²     b₁ = r₀² + ⅔·h·r₀·r₀′     b₂ = r₁² − ⅔·h·r₁·r₁′     b₃ = r₁²
+/// ```
+///
+/// which a straight line with r₀′ = r₁′ = (r₁ − r₀)/h makes a cone, and a circle about the axis' point of height c, with
+/// r·r′ = c − z, a sphere. Two segments join smoothly if r and r′ are the same on either side:
+/// (b₃ − b₂)/h below is (b₄ − b₃)/h above; elsewhere there is an edge.
+///
 /// ```
 /// use embedded_lathe::{End, Profile};
 ///
 /// let vase = Profile::<2>::new(
 ///     &[0.0, 0.6, 1.0],
-///     &[0.04, 0.16, 0.2, 0.12, 0.05, 0.02, 0.07],
+///     &[0.04, 0.16, 0.2, 0.14, 0.1, 0.02, 0.07],
 /// )?
 /// .base(End::Capped);
 /// # Ok::<(), embedded_lathe::ProfileError>(())

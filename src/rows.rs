@@ -62,15 +62,15 @@ impl Picture<'_> {
     }
 
     /// The pixels of row y, counted from the top, into `row` from its start: as many as the picture is wide,
-    /// or as `row` is long.
+    /// or as `row` is long. A row below the last one goes on where the picture ends.
     pub fn row<C: Paint>(&self, y: u32, row: &mut [C]) {
         self.part_of_row(0, y, row);
     }
 
     /// The pixels of row y from column x on, into `part`: as many as the row still has, or as `part` is long.
     ///
-    /// A long part is cheaper than as many short ones: neighbours share what they can. The picture is the same,
-    /// but for less than one pixel in 10 000, where rounding decides between two shades.
+    /// A long part is cheaper than as many short ones: neighbours share what they can. In a display's colours the picture is
+    /// the same, but for less than one pixel in 10 000, where rounding decides between two shades.
     #[inline(never)]
     pub fn part_of_row<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         let left = self.width.saturating_sub(x) as usize;

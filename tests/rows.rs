@@ -490,6 +490,19 @@ fn parallel_rays_far_from_the_origin_are_those_of_single_rays() {
     assert!(difference.covered > 20_000, "{difference:?}");
 }
 
+/// From so far away that rounding is larger than the solid, rays meet it or not, each by itself.
+#[test]
+fn a_ball_lost_in_rounding_is_that_of_single_rays() {
+    let ball = Lathe::turn(Profile::<1>::sphere(1.0).unwrap());
+    let mut difference = Difference::default();
+    for far in [1e7, 3e7, 6e7, 1.3e8, 1e9] {
+        let camera = Camera::orthographic([0.0, -far, 0.3 * far], [0.0; 3], [0.0, 0.0, 1.0], 1.2).unwrap();
+        compare_lone(&mut difference, Solid::new(&ball, Rgb::WHITE), camera, 64, &format!("from {far}"));
+    }
+    assert_eq!(difference.mask, 0, "{difference:?}");
+    assert!(difference.covered > 4_000, "{difference:?}");
+}
+
 /// An eye on an open end's rim, and rays almost in its plane: rounding tells where they pass that.
 #[test]
 fn rays_from_a_rim_are_those_of_single_rays() {

@@ -45,18 +45,18 @@ impl Lathe {
         let length = Native::sqrt(least);
         let across = half * (dot(mc, d1) + dot(m1, dc)).abs() + half * half * dot(m1, d1).abs();
         let span = (across / length + frame.size) / length;
-        // So where one of them is within the ball, the one half way is within a larger one, by how far they are apart.
-        let near = 1.125 * frame.size + half * (one_norm(m1) + span * one_norm(d1));
-        let is_far = dot(mc, mc) > near * near;
-        let q = flat(dc, dc) - 2.0 * half * flat(dc, d1).abs();
-        let steep = dc.z.abs() + half * d1.z.abs();
-        let drift = m1.z.abs() + span * d1.z.abs();
         let unit = frame.scale * unit;
         let distance = shift.abs() * length + frame.size + rough * unit;
         // What rounding can do to a place, and to g: four times what it was seen to do.
         let slip = ROUNDING * distance;
         let rounding = frame.rounding * distance;
         let doubt = DOUBT + rounding;
+        // So where one of them is within the ball, the one half way is within a larger one, by how far they are apart.
+        let near = 1.125 * frame.size + slip + half * (one_norm(m1) + span * one_norm(d1));
+        let is_far = dot(mc, mc) > near * near;
+        let q = flat(dc, dc) - 2.0 * half * flat(dc, d1).abs();
+        let steep = dc.z.abs() + half * d1.z.abs();
+        let drift = m1.z.abs() + span * d1.z.abs();
         // If the eye is beyond the span, the run's ends are no farther apart than twice what the one half way is long.
         let is_usable = least > 0.25 * square && q > 0.0 && shift > span + slip && doubt < 0.25;
 

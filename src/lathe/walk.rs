@@ -59,7 +59,11 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     while let Some(segment) = segments.get(index) {
         let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
         if let Some(chord) = Chord::new(path, segment, index, [at, end], inside) {
-            if SIGNS && at > first && chord.crosses::<S>(inside) && path.distance(end) < f32::INFINITY {
+            if SIGNS
+                && is_beyond(path.distance(at), t_min)
+                && path.distance(end) < f32::INFINITY
+                && chord.crosses::<S>(inside)
+            {
                 return meet(chord.hit(0.0, !inside)).break_value();
             }
             let mut from = chord.from;

@@ -269,3 +269,13 @@ fn a_narrow_place_of_a_wide_segment() {
         [-0.41606992, -0.30137932, 0.88148],
     );
 }
+
+/// A ball so far behind that the hits' t are no numbers: asked for from there on, nothing is hit, by any.
+#[test]
+fn any_hit_of_a_ball_beyond_all_numbers() {
+    let ball = Lathe::turn(Profile::<1>::sphere(1.0).unwrap());
+    let ray = Ray::new([0.0, 1e20, 0.0], [0.0, 1e-20, 0.0]).expect("finite");
+    assert_eq!(ball.nearest(&ray, f32::NEG_INFINITY), None);
+    assert!(ball.hits::<5>(&ray, f32::NEG_INFINITY).is_empty());
+    assert!(!ball.is_hit(&ray, f32::NEG_INFINITY));
+}

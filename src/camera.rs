@@ -155,16 +155,19 @@ impl Row<'_> {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Camera {
     fn format(&self, f: defmt::Formatter) {
-        let (e, d) = (self.eye, self.forward);
+        let (e, d, r) = (self.eye, self.forward, self.right);
         defmt::write!(
             f,
-            "Camera {{ eye: ({}, {}, {}), forward: ({}, {}, {}), {} }}",
+            "Camera {{ eye: ({}, {}, {}), forward: ({}, {}, {}), right: ({}, {}, {}), {} }}",
             e.x,
             e.y,
             e.z,
             d.x,
             d.y,
             d.z,
+            r.x,
+            r.y,
+            r.z,
             self.projection
         );
     }

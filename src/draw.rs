@@ -19,7 +19,8 @@ impl Scene<'_> {
     /// Draws the scene over the whole display, in one [`fill_contiguous`](DrawTarget::fill_contiguous) over
     /// pixels that are reckoned as the display takes them, a few at a time. No framebuffer is needed.
     ///
-    /// Where there is memory for a row, [`Scene::draw_by_rows`] costs less, for a lone solid less than half.
+    /// Where there is memory for a row, [`Scene::draw_by_rows`] costs less, for a lone solid less than half. A display of 2³²
+    /// pixels and more is left as it is.
     ///
     /// # Errors
     ///

@@ -131,7 +131,8 @@ impl<'a> Solid<'a> {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Solid<'_> {
     fn format(&self, f: defmt::Formatter) {
-        defmt::write!(f, "Solid {{ pose: {}, colour: {} }}", self.pose, self.colour);
+        let Self { pose, colour, shininess, .. } = self;
+        defmt::write!(f, "Solid {{ pose: {}, colour: {}, shininess: {} }}", pose, colour, shininess);
     }
 }
 

@@ -499,6 +499,7 @@ fn a_ball_lost_in_rounding_is_that_of_single_rays() {
         let camera = Camera::orthographic([0.0, -far, 0.3 * far], [0.0; 3], [0.0, 0.0, 1.0], 1.2).unwrap();
         compare_lone(&mut difference, Solid::new(&ball, Rgb::WHITE), camera, 64, &format!("from {far}"));
     }
+    // Where on the ball they meet it is rounding, and so are its shades.
     assert_eq!(difference.mask, 0, "{difference:?}");
     assert!(difference.covered > 4_000, "{difference:?}");
 }
@@ -555,6 +556,7 @@ fn where_a_wall_has_no_slope_it_has_a_normal() {
     let mut row = [Rgb565::BLACK; 33];
     let mut seen = 0;
     for y in 0..33 {
+        // Painting it overflows nowhere.
         scene.picture(33, 33).row(y, &mut row);
         for x in 0..33 {
             let ray = camera.ray(x, y, 33, 33);

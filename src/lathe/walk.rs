@@ -60,9 +60,9 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
         let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
         if let Some(chord) = Chord::new(path, segment, index, [at, end], inside) {
             if SIGNS
+                && chord.crosses::<S>(inside)
                 && is_beyond(path.distance(at), t_min)
                 && path.distance(end) < f32::INFINITY
-                && chord.crosses::<S>(inside)
             {
                 return meet(chord.hit(0.0, !inside)).break_value();
             }

@@ -10,14 +10,15 @@ use crate::vector::F32x3;
 
 /// How high g comes along a ray.
 pub(super) struct Crest {
-    /// A bound on it.
+    /// A bound on it, as far as it is known to be below zero, and where it may not be.
     pub g: f32,
     /// The segment and the place where it may come to zero, and whether from below, 1, or from above, −1.
     pub entry: Option<(usize, f32, f32)>,
 }
 
 impl Sweep<'_> {
-    /// A bound on g, or on its negative, along a ray between two points of it, by the cubics of the segments.
+    /// A bound on g, or on its negative, along a ray between two points of it, by the cubics of the segments, as far as the
+    /// first that may bring it to zero.
     #[inline(never)]
     pub(super) fn crest(&self, path: &Path, sign: f32, (near, far): (f32, f32)) -> Crest {
         let segments = self.lathe.segments;
@@ -36,7 +37,7 @@ impl Sweep<'_> {
             if sign < 0.0 || most_here > crest.g && !(most_here < -self.doubt) {
                 let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
                 most_here = most(&g, at - from, to - at);
-                if !(most_here < -self.doubt) && crest.entry.is_none() {
+                if !(most_here < -self.doubt) {
                     let sign = if g.at(from - at) > 0.0 { -1.0 } else { 1.0 };
                     let s = at + zero(&g, sign);
                     if sign > 0.0 || s <= to {
@@ -45,7 +46,7 @@ impl Sweep<'_> {
                 }
             }
             crest.g = greater(most_here, crest.g);
-            if !(to < far) {
+            if crest.entry.is_some() || !(to < far) {
                 break;
             }
             from = to;

@@ -107,17 +107,38 @@ fn the_exact_profiles_are_exact() {
         }),
     ];
     for (i, (lathe, low, high, radius)) in LATHES.iter().enumerate() {
-        for step in 1..100 {
-            let z = low + (high - low) * step as f32 / 100.0;
-            let r = radius(z.into());
-            let y = f64::from(y_at(lathe, 0.0, z).expect("the ray meets the axis"));
-            // 4 units of size + distance, as for every hit; incidence as steep as the profile is, cos ≥
-            // r/√(r² + (r·r′)²), r·r′ ≤ 2.
-            let cos = r / r.hypot(2.0);
-            let bound = 4.0 * (3.0 + 8.0) / 16_777_216.0 / cos;
-            assert!((y + r).abs() <= bound, "{i} at {z}: {} instead of {r}, bound {bound:e}", -y);
-        }
+        has_radius(&format!("{i}"), lathe, (*low, *high), radius);
     }
+}
+
+/// The radius between two heights is that, in f64, at most 1.5, and r·r′ ≤ 2.
+fn has_radius(name: &str, lathe: &Lathe, (low, high): (f32, f32), radius: impl Fn(f64) -> f64) {
+    for step in 1..100 {
+        let z = low + (high - low) * step as f32 / 100.0;
+        let r = radius(z.into());
+        let y = f64::from(y_at(lathe, 0.0, z).expect("the ray meets the axis"));
+        // 4 units of size + distance, as for every hit; incidence as steep as the profile is, cos ≥
+        // r/√(r² + (r·r′)²), r·r′ ≤ 2.
+        let cos = r / r.hypot(2.0);
+        let bound = 4.0 * (3.0 + 8.0) / 16_777_216.0 / cos;
+        assert!((y + r).abs() <= bound, "{name} at {z}: {} instead of {r}, bound {bound:e}", -y);
+    }
+}
+
+/// As the documents of `Profile` say: with (r, r′) at each end a straight line is a cone, and a circle a sphere.
+#[test]
+fn radii_and_slopes_make_ordinates() {
+    let lathe = |(low, high): (f32, f32), [(r0, slope0), (r1, slope1)]: [(f32, f32); 2]| {
+        let third = 2.0 / 3.0 * (high - low);
+        let ordinates = [r0 * r0, r0 * r0 + third * r0 * slope0, r1 * r1 - third * r1 * slope1, r1 * r1];
+        Lathe::turn(Profile::<1>::new(&[low, high], &ordinates).unwrap())
+    };
+    let heights = (0.25, 1.0);
+    has_radius("cone", &lathe(heights, [(1.5, -1.0), (0.75, -1.0)]), heights, |z| 1.75 - z);
+    // About the height 0.5.
+    let circle = |z: f64| (1.5f64.powi(2) - (z - 0.5).powi(2)).sqrt();
+    let end = |z: f32| (circle(z.into()) as f32, (0.5 - z) / circle(z.into()) as f32);
+    has_radius("sphere", &lathe(heights, [end(heights.0), end(heights.1)]), heights, circle);
 }
 
 #[test]

@@ -241,6 +241,17 @@ fn the_pictures_in_the_documents_are_up_to_date() {
 }
 
 /// A ball of light and shade in sixteen greys, dithered, to read with the eye.
+/// By its numbers, as they are written there.
+#[test]
+fn the_readme_begins_with_the_vase_that_it_shows() {
+    let readme = include_str!("../README.md");
+    for numbers in [&scenes::VASE_KNOTS[..], &scenes::VASE_ORDINATES] {
+        let listed = format!("&{numbers:?}");
+        assert!(readme.contains(&listed), "{listed}");
+    }
+    assert!(readme.contains("](docs/vase.png)"));
+}
+
 #[test]
 fn a_ball_in_sixteen_greys() {
     static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));

@@ -18,7 +18,7 @@
 //! (`walk.rs`.) What most rays meet first, if anything, bounds on g tell without that. (`glance.rs`.)
 //!
 //! The rays of a row of pixels are followed together: `run.rs`, `sweep.rs`, `follow.rs`, `cap.rs`, and what certifies it,
-//! `first.rs` and `clear.rs`.
+//! `first.rs` and `clear.rs`. What they see there is told in `seen.rs`.
 
 mod bound;
 mod cap;
@@ -31,11 +31,13 @@ mod intersect;
 mod line;
 mod path;
 mod run;
+mod seen;
 mod segment;
 mod sweep;
 mod walk;
 
-pub(crate) use follow::{FRESH, Seen, Stop, Wall};
+pub(crate) use follow::{FRESH, Stop};
+pub(crate) use seen::{Seen, Wall};
 pub use segment::Segment;
 pub(crate) use sweep::Sweep;
 

@@ -1,7 +1,7 @@
 //! Caps that rays come in through. There is nothing before them, for a run that is of use begins outside.
 
-use super::follow::Seen;
 use super::path::flat;
+use super::seen::Seen;
 use super::sweep::Sweep;
 use crate::vector::vector;
 

@@ -1,50 +1,10 @@
 //! A root, followed from ray to ray: the innermost loop.
 
 use super::path::flat;
-use super::segment::Segment;
 use super::sweep::Sweep;
-use crate::math::inverse_root;
 use crate::math::order::greater;
 use crate::seldom::seldom;
-use crate::vector::{F32x3, Vector, vector};
-
-/// What a ray sees of the surface.
-#[derive(Clone, Copy)]
-pub(crate) struct Seen {
-    /// A vector along the normal of the side that is seen, in object space.
-    pub gradient: F32x3,
-    /// One over its length.
-    pub per_length: f32,
-}
-
-impl Seen {
-    #[inline(always)]
-    pub fn new(gradient: F32x3) -> Self {
-        Self { gradient, per_length: inverse_root(gradient.dot(gradient)) }
-    }
-
-    /// How straight light from there falls: the cosine, times how long `towards` is.
-    #[inline(always)]
-    pub fn light(&self, towards: &F32x3) -> f32 {
-        self.per_length * self.gradient.dot(*towards)
-    }
-}
-
-/// A segment's wall, as roots followed along it meet it.
-pub(crate) struct Wall {
-    root_squash: f32,
-    /// Half of −F′.
-    e: [f32; 3],
-}
-
-impl Wall {
-    /// What is seen of it there: across the axis, and so far up the segment.
-    #[inline(always)]
-    pub fn seen(&self, F32x3 { x, y, z: u }: F32x3) -> Seen {
-        let [e0, e1, e2] = self.e;
-        Seen::new(vector([self.root_squash * x, y, (e2 * u + e1) * u + e0]))
-    }
-}
+use crate::vector::{F32x3, vector};
 
 /// How often Newton's method, or a change of segment, is tried before the ray goes alone.
 pub(super) const STEPS: u32 = 4;
@@ -69,16 +29,6 @@ impl Sweep<'_> {
     #[inline(always)]
     pub fn followed(&self, i: u32) -> Option<u32> {
         self.following.then(|| (i + FRESH.min(self.end - i)).min(self.first.until))
-    }
-
-    /// The wall that it is in.
-    #[inline(always)]
-    pub fn wall(&self) -> Wall {
-        let Segment { per_height, f: [_, c1, c2, c3], .. } = *self.segment;
-        // Half of −F′, as a gradient has it.
-        let along = -0.5 * self.sign * per_height;
-        let e = [along * c1, along * 2.0 * c2, along * 3.0 * c3];
-        Wall { root_squash: self.sign * self.lathe.frame.root_squash, e }
     }
 
     /// Follows the root from the i-th pixel on, up to another, and hands over where on the wall each is. The first pixel

@@ -240,7 +240,6 @@ fn the_pictures_in_the_documents_are_up_to_date() {
     }
 }
 
-/// A ball of light and shade in sixteen greys, dithered, to read with the eye.
 /// By its numbers, as they are written there.
 #[test]
 fn the_readme_begins_with_the_vase_that_it_shows() {
@@ -252,6 +251,7 @@ fn the_readme_begins_with_the_vase_that_it_shows() {
     assert!(readme.contains("](docs/vase.png)"));
 }
 
+/// A ball of light and shade in sixteen greys, dithered, to read with the eye.
 #[test]
 fn a_ball_in_sixteen_greys() {
     static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));

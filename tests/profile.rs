@@ -1,6 +1,7 @@
 //! What is a profile, what is not and why, and what the exact ones are.
 
 use embedded_lathe::{End, Lathe, Part, Profile, ProfileError, Ray, RayError, Segment, valid};
+use std::fmt::Display;
 
 const KNOTS: [f32; 3] = [0.0, 0.4, 1.0];
 const ORDINATES: [f32; 7] = [0.1, 0.2, 0.3, 0.2, 0.1, 0.1, 0.4];
@@ -107,12 +108,12 @@ fn the_exact_profiles_are_exact() {
         }),
     ];
     for (i, (lathe, low, high, radius)) in LATHES.iter().enumerate() {
-        has_radius(&format!("{i}"), lathe, (*low, *high), radius);
+        has_radius(i, lathe, (*low, *high), radius);
     }
 }
 
 /// The radius between two heights is that, in f64, at most 1.5, and r·r′ ≤ 2.
-fn has_radius(name: &str, lathe: &Lathe, (low, high): (f32, f32), radius: impl Fn(f64) -> f64) {
+fn has_radius(name: impl Display, lathe: &Lathe, (low, high): (f32, f32), radius: impl Fn(f64) -> f64) {
     for step in 1..100 {
         let z = low + (high - low) * step as f32 / 100.0;
         let r = radius(z.into());
@@ -129,8 +130,9 @@ fn has_radius(name: &str, lathe: &Lathe, (low, high): (f32, f32), radius: impl F
 #[test]
 fn radii_and_slopes_make_ordinates() {
     let lathe = |(low, high): (f32, f32), [(r0, slope0), (r1, slope1)]: [(f32, f32); 2]| {
-        let third = 2.0 / 3.0 * (high - low);
-        let ordinates = [r0 * r0, r0 * r0 + third * r0 * slope0, r1 * r1 - third * r1 * slope1, r1 * r1];
+        let two_thirds = 2.0 / 3.0 * (high - low);
+        let ordinates =
+            [r0 * r0, r0 * r0 + two_thirds * r0 * slope0, r1 * r1 - two_thirds * r1 * slope1, r1 * r1];
         Lathe::turn(Profile::<1>::new(&[low, high], &ordinates).unwrap())
     };
     let heights = (0.25, 1.0);

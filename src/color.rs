@@ -1,8 +1,8 @@
-//! Colours as the renderer reckons with them.
+//! Colors as the renderer reckons with them.
 
 use crate::math::{order::lesser, whole};
 
-/// A colour as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
+/// A color as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
 /// gamma-corrected.
 ///
 /// ```
@@ -38,7 +38,7 @@ impl Rgb {
         Self::new(r as f32 / 255.0, g as f32 / 255.0, b as f32 / 255.0)
     }
 
-    /// A grey.
+    /// A gray.
     pub const fn gray(share: f32) -> Self {
         Self::new(share, share, share)
     }
@@ -51,7 +51,7 @@ impl Rgb {
         Shades::of(Self::new(cut(self.r, most.r), cut(self.g, most.g), cut(self.b, most.b)))
     }
 
-    /// From this colour, at 0, to another, at 1.
+    /// From this color, at 0, to another, at 1.
     pub(crate) const fn towards(self, other: Self, share: f32) -> Self {
         Self {
             r: self.r + share * (other.r - self.r),
@@ -61,7 +61,7 @@ impl Rgb {
     }
 }
 
-/// A colour in a display's shades, in units of 2⁻²³ and less than 256: light is cast on it by three integer
+/// A color in a display's shades, in units of 2⁻²³ and less than 256: light is cast on it by three integer
 /// multiplications.
 ///
 /// For [`Paint::shade`] each comes with half a shade more, and so never with less: to take the whole part is to round.
@@ -170,9 +170,9 @@ impl Share {
     }
 }
 
-/// A colour that a picture can be painted in.
+/// A color that a picture can be painted in.
 ///
-/// Implemented for [`Rgb`] and for the colours of embedded-graphics, those of few shades by ordered
+/// Implemented for [`Rgb`] and for the colors of embedded-graphics, those of few shades by ordered
 /// dithering.
 ///
 /// ```
@@ -188,12 +188,12 @@ pub trait Paint: Copy {
     /// How many shades above black red, green and blue have, no more than 255: what a share of 1 is in shades.
     const SHADES: Rgb;
 
-    /// What stands in column x, row y, for a colour in shades, each from 0 to that of `SHADES`, and half a shade more.
+    /// What stands in column x, row y, for a color in shades, each from 0 to that of `SHADES`, and half a shade more.
     fn shade(shades: Shades, x: u32, y: u32) -> Self;
 
-    /// What stands for the colour in column x, row y.
-    fn paint(colour: Rgb, x: u32, y: u32) -> Self {
-        Self::shade(colour.shades(Self::SHADES).rounded(), x, y)
+    /// What stands for the color in column x, row y.
+    fn paint(color: Rgb, x: u32, y: u32) -> Self {
+        Self::shade(color.shades(Self::SHADES).rounded(), x, y)
     }
 }
 
@@ -217,7 +217,7 @@ impl Paint for Rgb {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Background {
-    /// One colour.
+    /// One color.
     Plain(Rgb),
     /// A vertical gradient, from the upper edge of the picture to the lower.
     Gradient {
@@ -229,11 +229,11 @@ pub enum Background {
 }
 
 impl Background {
-    /// The colour of a row, of so many.
+    /// The color of a row, of so many.
     #[inline(always)]
     pub(crate) fn row(&self, y: u32, rows: u32) -> Rgb {
         match *self {
-            Self::Plain(colour) => colour,
+            Self::Plain(color) => color,
             Self::Gradient { top, bottom } => top.towards(bottom, (y as f32 + 0.5) / rows as f32),
         }
     }

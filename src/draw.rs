@@ -81,7 +81,7 @@ fn blank<C: Paint>() -> [C; RUN] {
 }
 
 impl<'a> Picture<'a> {
-    /// The picture in colours C, for embedded-graphics' `Image`.
+    /// The picture in colors C, for embedded-graphics' `Image`.
     ///
     /// ```
     /// use embedded_graphics::{image::Image, mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
@@ -101,18 +101,18 @@ impl<'a> Picture<'a> {
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
     pub const fn image<C: Paint + PixelColor>(self) -> PictureImage<'a, C> {
-        PictureImage { picture: self, colour: PhantomData }
+        PictureImage { picture: self, color: PhantomData }
     }
 }
 
-/// A [`Picture`] in a display's colours: an [`ImageDrawable`].
+/// A [`Picture`] in a display's colors: an [`ImageDrawable`].
 ///
 /// Made by [`Picture::image`], where there is an example.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PictureImage<'a, C> {
     picture: Picture<'a>,
-    colour: PhantomData<C>,
+    color: PhantomData<C>,
 }
 
 impl<C> OriginDimensions for PictureImage<'_, C> {

@@ -5,7 +5,7 @@ use crate::vector::{F32x3, unit, vector};
 
 /// A light from far away, and a share that reaches everywhere. Nothing casts a shadow: the light falls on all that faces it.
 ///
-/// The share of a surface's colour that is seen is Lambert's, `ambient + (1 − ambient)·max(0, n·l)`. A shiny
+/// The share of a surface's color that is seen is Lambert's, `ambient + (1 − ambient)·max(0, n·l)`. A shiny
 /// surface adds white where light falls on it, half of Phong's `max(0, r·v)ˢ`: r is the light's direction mirrored at
 /// the surface, v the direction to the eye, s the shininess.
 ///

@@ -69,7 +69,7 @@ impl Picture<'_> {
 
     /// The pixels of row y from column x on, into `part`: as many as the row still has, or as `part` is long.
     ///
-    /// A long part is cheaper than as many short ones: neighbours share what they can. In a display's colours the picture is
+    /// A long part is cheaper than as many short ones: neighbours share what they can. In a display's colors the picture is
     /// the same, but for less than one pixel in 10 000, where rounding decides between two shades.
     #[inline(never)]
     pub fn part_of_row<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {

@@ -1,4 +1,4 @@
-//! A lathe in the world, with a colour.
+//! A lathe in the world, with a color.
 
 use crate::camera::{Projection, Row};
 use crate::color::{Paint, Rgb, Shades, Share};
@@ -28,14 +28,14 @@ use core::ptr;
 pub struct Solid<'a> {
     lathe: &'a Lathe,
     pose: Pose,
-    colour: Rgb,
+    color: Rgb,
     shininess: u8,
 }
 
 impl<'a> Solid<'a> {
     /// A matt solid in its own space.
-    pub const fn new(lathe: &'a Lathe, colour: Rgb) -> Self {
-        Self { lathe, pose: Pose::IDENTITY, colour, shininess: 0 }
+    pub const fn new(lathe: &'a Lathe, color: Rgb) -> Self {
+        Self { lathe, pose: Pose::IDENTITY, color, shininess: 0 }
     }
 
     /// The same in another pose.
@@ -114,16 +114,16 @@ impl<'a> Solid<'a> {
         SolidRow { solid: self, row, views: Views { first: direction, step: direction_step }, sweep }
     }
 
-    /// How its surface looks in that light, in colours C.
+    /// How its surface looks in that light, in colors C.
     #[inline(always)]
     pub(crate) fn finish<C: Paint>(&self, light: &Light) -> Finish {
-        let colour = self.colour.shades(C::SHADES);
-        let ambient = colour.dimmed(Share::of_one(light.ambient));
+        let color = self.color.shades(C::SHADES);
+        let ambient = color.dimmed(Share::of_one(light.ambient));
         Finish {
             shininess: self.shininess,
             towards: self.pose.rotation.back(light.towards) * Share::UNITS,
             ambient: ambient.rounded(),
-            direct: colour.without(ambient),
+            direct: color.without(ambient),
         }
     }
 }
@@ -131,8 +131,8 @@ impl<'a> Solid<'a> {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Solid<'_> {
     fn format(&self, f: defmt::Formatter) {
-        let Self { pose, colour, shininess, .. } = self;
-        defmt::write!(f, "Solid {{ pose: {}, colour: {}, shininess: {} }}", pose, colour, shininess);
+        let Self { pose, color, shininess, .. } = self;
+        defmt::write!(f, "Solid {{ pose: {}, color: {}, shininess: {} }}", pose, color, shininess);
     }
 }
 
@@ -282,7 +282,7 @@ pub(crate) struct Finish {
 }
 
 impl Finish {
-    /// The colour of what a column's ray sees, in shades, in light from there.
+    /// The color of what a column's ray sees, in shades, in light from there.
     // Not always in line: where flash counts, it stands once. Where speed does, the record of instructions tells if the
     // compiler decides otherwise.
     #[inline]
@@ -302,7 +302,7 @@ impl Finish {
         self.shininess == 0
     }
 
-    /// The colour without a highlight, in shades, where such a share of the light falls.
+    /// The color without a highlight, in shades, where such a share of the light falls.
     #[inline(always)]
     pub fn matt(&self, share: Share) -> Shades {
         self.ambient.with(self.direct.dimmed(share))

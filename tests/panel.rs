@@ -99,14 +99,14 @@ fn shown(target: &str, elf: &Path, scene: &str, last: u32) -> Pixels {
     read(&directory.join(picture))
 }
 
-/// A binary PPM of the panel, where each pixel is four by four and each grey times 17.
+/// A binary PPM of the panel, where each pixel is four by four and each gray times 17.
 fn read(ppm: &Path) -> Pixels {
     let bytes = fs::read(ppm).unwrap();
     let rgb = bytes.strip_prefix(b"P6\n512 256\n255\n").expect("a picture of the panel's size");
     let at = |x: usize, y: usize| &rgb[3 * (y * 512 + x)..][..3];
     for y in 0..256 {
         for x in 0..512 {
-            assert_eq!(at(x, y), [at(x & !3, y & !3)[0]; 3], "grey, and the same all over its pixel");
+            assert_eq!(at(x, y), [at(x & !3, y & !3)[0]; 3], "gray, and the same all over its pixel");
         }
     }
     std::array::from_fn(|y| std::array::from_fn(|x| at(4 * x, 4 * y)[0] / 17))

@@ -129,18 +129,18 @@ impl DrawTarget for Skips {
     fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(
         &mut self,
         area: &Rectangle,
-        colours: I,
+        colors: I,
     ) -> Result<(), Self::Error> {
         assert_eq!(area.size, self.size());
-        let mut colours = colours.into_iter();
+        let mut colors = colors.into_iter();
         let mut at = 0;
         for skip in [0, 1, 31, 0, 63, 64, 65, 700, 0, 5].into_iter().cycle() {
             at += skip;
-            let Some(colour) = colours.nth(skip) else {
+            let Some(color) = colors.nth(skip) else {
                 assert!(at >= 64 * 48);
                 return Ok(());
             };
-            self.0.push((at, colour));
+            self.0.push((at, color));
             at += 1;
         }
         Ok(())
@@ -153,7 +153,7 @@ fn pixels_may_be_skipped() {
     scenes::VASE_SCENE.draw(&mut display).unwrap();
     let all = rows(&scenes::VASE_SCENE, 64, 48, &[64], Rgb565::BLACK);
     assert!(display.0.len() > 20);
-    assert!(display.0.iter().all(|&(at, colour)| colour == all[at]));
+    assert!(display.0.iter().all(|&(at, color)| color == all[at]));
 }
 
 #[test]
@@ -251,7 +251,7 @@ fn the_readme_begins_with_the_vase_that_it_shows() {
     assert!(readme.contains("](docs/vase.png)"));
 }
 
-/// A ball of light and shade in sixteen greys, dithered, to read with the eye.
+/// A ball of light and shade in sixteen grays, dithered, to read with the eye.
 #[test]
 fn a_ball_in_sixteen_greys() {
     static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
@@ -284,7 +284,7 @@ fn a_ball_in_sixteen_greys() {
     ]);
 }
 
-/// A grey of so much light, over 64 pixels of each display: its mean is the light, as near as the shades
+/// A gray of so much light, over 64 pixels of each display: its mean is the light, as near as the shades
 /// allow.
 #[test]
 fn few_shades_are_dithered() {

@@ -25,29 +25,29 @@ const BLACK: Background = Background::Plain(Rgb::BLACK);
 /// A scene's solids and light, as the test knows them: what a ray sees is reckoned here.
 struct Known<'a> {
     scene: Scene<'a>,
-    colours: &'a [Rgb],
+    colors: &'a [Rgb],
     towards: [f32; 3],
     ambient: f32,
 }
 
 impl Known<'_> {
-    /// What one ray by itself sees: Lambert's share of the nearest solid's colour. Of two solids at the same
+    /// What one ray by itself sees: Lambert's share of the nearest solid's color. Of two solids at the same
     /// distance, but for rounding, either.
     fn seen(&self, ray: &Ray) -> Vec<Rgb> {
-        let solids = self.scene.solids.iter().zip(self.colours);
+        let solids = self.scene.solids.iter().zip(self.colors);
         let hits: Vec<_> =
-            solids.filter_map(|(solid, colour)| Some((solid.nearest(ray, 0.0)?, solid, colour))).collect();
+            solids.filter_map(|(solid, color)| Some((solid.nearest(ray, 0.0)?, solid, color))).collect();
         let nearest = hits.iter().map(|(hit, ..)| hit.t).fold(f32::INFINITY, f32::min);
         let seen = hits.iter().filter(|(hit, ..)| hit.t <= nearest * (1.0 + 8.0 * f32::EPSILON));
         let length = self.towards.iter().map(|c| c * c).sum::<f32>().sqrt();
-        let colours = seen.map(|(hit, solid, colour)| {
+        let colors = seen.map(|(hit, solid, color)| {
             let normal = solid.surface(ray, hit).normal.to_array();
             let side = if hit.enters { 1.0 } else { -1.0 };
             let nl = side * (0..3).map(|i| normal[i] * self.towards[i]).sum::<f32>() / length;
             let share = self.ambient + (1.0 - self.ambient) * nl.max(0.0);
-            Rgb::new(colour.r * share, colour.g * share, colour.b * share)
+            Rgb::new(color.r * share, color.g * share, color.b * share)
         });
-        colours.collect()
+        colors.collect()
     }
 }
 
@@ -76,7 +76,7 @@ impl Difference {
                     println!("{what}: column {x}, row {y}: {pixel:?} instead of {alone:?}");
                     continue;
                 }
-                let steps = alone.iter().map(|&colour| steps(pixel, Rgb565::paint(colour, x, y)));
+                let steps = alone.iter().map(|&color| steps(pixel, Rgb565::paint(color, x, y)));
                 match steps.min() {
                     Some(0) | None => {}
                     Some(1) => self.one_step += 1,
@@ -97,7 +97,7 @@ impl Difference {
     }
 }
 
-/// By how many steps two colours differ in any channel, at most.
+/// By how many steps two colors differ in any channel, at most.
 fn steps(a: Rgb565, b: Rgb565) -> u8 {
     let channels = [(a.r(), b.r()), (a.g(), b.g()), (a.b(), b.b())];
     channels.map(|(one, other)| one.abs_diff(other)).into_iter().max().unwrap_or(0)
@@ -105,22 +105,22 @@ fn steps(a: Rgb565, b: Rgb565) -> u8 {
 
 #[test]
 fn the_reference_scenes_are_those_of_single_rays() {
-    // The light of the scenes, their colours without gloss: the test knows no more than Lambert.
+    // The light of the scenes, their colors without gloss: the test knows no more than Lambert.
     let (towards, ambient) = ([-0.5, -0.7, 0.5], 0.15);
-    let colours = [scenes::CLAY, Rgb::new(0.8, 0.75, 0.3), Rgb::new(0.45, 0.6, 0.45)];
+    let colors = [scenes::CLAY, Rgb::new(0.8, 0.75, 0.3), Rgb::new(0.45, 0.6, 0.45)];
     let (bowl, knob) = ([Rgb::new(0.3, 0.6, 0.7)], [Rgb::gray(0.75)]);
     let (board, light, dark) = (Rgb::new(0.35, 0.22, 0.15), Rgb::gray(0.85), Rgb::gray(0.3));
     for (name, scene) in scenes::NAMED {
         let matt: Vec<Solid> = scene.solids.iter().map(|solid| solid.shiny(0)).collect();
-        let colours = match name {
+        let colors = match name {
             "bowl" => &bowl[..],
             "knob" => &knob,
             "pawns" => &[board, light, light, light, dark, dark, dark],
-            _ => &colours,
+            _ => &colors,
         };
         let scene = Scene { solids: &matt, background: BLACK, ..*scene };
         let mut difference = Difference::default();
-        difference.add(&Known { scene, colours, towards, ambient }, 240, name);
+        difference.add(&Known { scene, colors, towards, ambient }, 240, name);
         difference.assert_none();
     }
 }
@@ -156,8 +156,8 @@ fn random_scenes(side: u32, camera: impl Fn(&mut ChaCha8Rng) -> Camera) {
         let lathes = [random_lathe(&mut rng), random_lathe(&mut rng)];
         let turn = Rotation::about([even(&mut rng, -1.0, 1.0), 0.3, 0.5], even(&mut rng, -3.0, 3.0)).unwrap();
         let away = Pose::new([even(&mut rng, -1.0, 1.0), 0.2, 0.1], turn, even(&mut rng, 0.3, 1.5)).unwrap();
-        let colours = [Rgb::WHITE, Rgb::new(0.9, 0.5, 0.3)];
-        let solids = [Solid::new(&lathes[0], colours[0]), Solid::new(&lathes[1], colours[1]).posed(away)];
+        let colors = [Rgb::WHITE, Rgb::new(0.9, 0.5, 0.3)];
+        let solids = [Solid::new(&lathes[0], colors[0]), Solid::new(&lathes[1], colors[1]).posed(away)];
         let towards = [even(&mut rng, -1.0, 1.0), -1.0, 0.5];
         let scene = Scene {
             solids: &solids[..rng.random_range(1..=2)],
@@ -166,7 +166,7 @@ fn random_scenes(side: u32, camera: impl Fn(&mut ChaCha8Rng) -> Camera) {
             background: BLACK,
         };
         difference.add(
-            &Known { scene, colours: &colours, towards, ambient: 0.2 },
+            &Known { scene, colors: &colors, towards, ambient: 0.2 },
             side,
             &format!("scene {number}"),
         );
@@ -190,7 +190,7 @@ fn random_upright_scenes_are_those_of_single_rays() {
 #[test]
 fn solids_apart_are_those_of_single_rays() {
     let mut rng = ChaCha8Rng::seed_from_u64(1995);
-    let colours = [
+    let colors = [
         Rgb::WHITE,
         Rgb::new(0.9, 0.5, 0.3),
         Rgb::new(0.2, 0.9, 0.4),
@@ -204,19 +204,19 @@ fn solids_apart_are_those_of_single_rays() {
         let solids: [_; 5] = core::array::from_fn(|i| {
             let Some(lathe) = lathes.get(i) else {
                 let below = Pose::new([0.0, 0.0, -1.2], Rotation::IDENTITY, 1.0);
-                return Solid::new(&disc, colours[i]).posed(below.unwrap());
+                return Solid::new(&disc, colors[i]).posed(below.unwrap());
             };
             let [x, y, z] = [[0.7, 0.1, 0.0], [-0.4, 0.6, 0.1], [-0.3, -0.7, 0.0], [-0.4, 0.6, 0.9]][i];
             let upright = Rotation::about_z(even(&mut rng, -3.0, 3.0));
             let lean = if rng.random() { 0.0 } else { even(&mut rng, -1.5, 1.5) };
             let pose = Pose::new([x, y, z], upright.then(Rotation::about_x(lean)), even(&mut rng, 0.1, 0.5));
-            Solid::new(lathe, colours[i]).posed(pose.unwrap())
+            Solid::new(lathe, colors[i]).posed(pose.unwrap())
         });
         let camera = if rng.random() { random_camera(&mut rng) } else { upright_camera(&mut rng) };
         let (towards, ambient) = ([even(&mut rng, -1.0, 1.0), -1.0, 0.5], 0.2);
         let light = Light::new(towards, ambient).unwrap();
         let scene = Scene { solids: &solids, camera, light, background: BLACK };
-        let known = Known { scene, colours: &colours, towards, ambient };
+        let known = Known { scene, colors: &colors, towards, ambient };
         difference.add(&known, 60, &format!("scene {number}"));
     }
     difference.assert_none();
@@ -230,8 +230,8 @@ fn the_first_of_two_in_one_place_is_seen() {
     let mut seen = 0;
     for number in 0..20 {
         let lathe = random_lathe(&mut rng);
-        let colours = [Rgb::new(0.0, 1.0, 0.0), Rgb::new(1.0, 0.0, 0.0)];
-        let solids = colours.map(|colour| Solid::new(&lathe, colour));
+        let colors = [Rgb::new(0.0, 1.0, 0.0), Rgb::new(1.0, 0.0, 0.0)];
+        let solids = colors.map(|color| Solid::new(&lathe, color));
         let light = Light::new([0.0, -1.0, 0.5], 1.0).unwrap();
         let scene = Scene { solids: &solids, camera: random_camera(&mut rng), light, background: BLACK };
         for y in 0..60 {
@@ -295,7 +295,7 @@ fn what_is_within_another_solid_is_hidden() {
         let mut seen = 0;
         for y in 0..60 {
             scene.picture(60, 60).row(y, &mut row);
-            // White is grey in the shade, and clay is not.
+            // White is gray in the shade, and clay is not.
             let is_grey = |pixel: &Rgb565| pixel.r() == pixel.b();
             assert!(row.iter().all(is_grey), "scene {number}, row {y}: {row:?}");
             seen += row.iter().filter(|pixel| **pixel != Rgb565::BLACK).count();
@@ -310,14 +310,14 @@ fn one_almost_within_another_is_hidden() {
     let cylinder = Lathe::turn(Profile::<1>::cylinder(1.0, 1.0).unwrap());
     for near in [1e-10, 1e-22, 1e-25, 1e-30] {
         let inner = Pose::new([near, 0.8 * near, -0.6], Rotation::IDENTITY, 0.5).unwrap();
-        let colours = [Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 1.0, 0.0)];
-        let solids = [Solid::new(&cylinder, colours[0]), Solid::new(&cylinder, colours[1]).posed(inner)];
+        let colors = [Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 1.0, 0.0)];
+        let solids = [Solid::new(&cylinder, colors[0]), Solid::new(&cylinder, colors[1]).posed(inner)];
         let (towards, ambient) = ([0.3, -1.0, 0.5], 0.5);
         let camera = Camera::perspective([4.5, -0.1, 2.2], [0.0; 3], [0.0, 0.0, 1.0], 0.4).unwrap();
         let light = Light::new(towards, ambient).unwrap();
         let scene = Scene { solids: &solids, camera, light, background: BLACK };
         let mut difference = Difference::default();
-        difference.add(&Known { scene, colours: &colours, towards, ambient }, 60, &format!("{near:e} apart"));
+        difference.add(&Known { scene, colors: &colors, towards, ambient }, 60, &format!("{near:e} apart"));
         difference.assert_none();
     }
 }
@@ -376,7 +376,7 @@ fn compare_lone(difference: &mut Difference, solid: Solid, camera: Camera, side:
     let solids = [solid];
     let light = Light::new(towards, ambient).unwrap();
     let scene = Scene { solids: &solids, camera, light, background: BLACK };
-    difference.add(&Known { scene, colours: &[Rgb::WHITE], towards, ambient }, side, what);
+    difference.add(&Known { scene, colors: &[Rgb::WHITE], towards, ambient }, side, what);
 }
 
 /// The same, and one picture of it.
@@ -396,7 +396,7 @@ fn exact_views_are_those_of_single_rays() {
             compare_lone(&mut difference, ball, camera, side, &format!("camera {number}, {side} wide"));
         }
     }
-    // Nearly all pixels of a picture of next to nothing have one colour, and rounding may decide between two.
+    // Nearly all pixels of a picture of next to nothing have one color, and rounding may decide between two.
     assert_eq!((difference.mask, difference.more), (0, 0), "{difference:?}");
     assert!(difference.covered * 2 > difference.pixels, "{difference:?}");
 }

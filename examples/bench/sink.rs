@@ -1,4 +1,4 @@
-//! A display that takes colours and shows nothing.
+//! A display that takes colors and shows nothing.
 
 use core::{convert::Infallible, hint::black_box, marker::PhantomData};
 use embedded_graphics::{prelude::*, primitives::Rectangle};

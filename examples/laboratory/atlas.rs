@@ -1,4 +1,4 @@
-//! Pictures of where methods die: two things that hurt across and up, the error as colour.
+//! Pictures of where methods die: two things that hurt across and up, the error as color.
 //!
 //! Each pixel is several rays at the vase, judged by exact arithmetic, the worst shown. From blue through white to red: the displacement that explains the answer,
 //! in units of 2⁻²⁴·(size + distance), by powers of ten from 0.1 to 10⁶; black is more, or no number.
@@ -102,8 +102,8 @@ fn text(canvas: &mut Canvas, text: &str, x: i32, y: i32, alignment: Alignment) {
     let Ok(_) = Text::with_alignment(text, Point::new(x, y), style, alignment).draw(canvas);
 }
 
-fn block(canvas: &mut Canvas, x: i32, y: i32, w: u32, h: u32, colour: Rgb888) {
-    let Ok(()) = canvas.fill_solid(&Rectangle::new(Point::new(x, y), Size::new(w, h)), colour);
+fn block(canvas: &mut Canvas, x: i32, y: i32, w: u32, h: u32, color: Rgb888) {
+    let Ok(()) = canvas.fill_solid(&Rectangle::new(Point::new(x, y), Size::new(w, h)), color);
 }
 
 fn atlas(atlas: &Atlas) -> Result<(), Box<dyn Error>> {
@@ -122,7 +122,7 @@ fn atlas(atlas: &Atlas) -> Result<(), Box<dyn Error>> {
             for (i, units) in (0..).zip(worst) {
                 let (x, y) = (LEFT + i * (SIDE + GAP), TOP + SIDE);
                 let (x, y) = (x + (column * ZOOM) as i32, y - ((row + 1) * ZOOM) as i32);
-                block(&mut canvas, x, y, ZOOM, ZOOM, colour(units));
+                block(&mut canvas, x, y, ZOOM, ZOOM, color(units));
             }
         }
         bar.inc(1);
@@ -150,11 +150,11 @@ fn atlas(atlas: &Atlas) -> Result<(), Box<dyn Error>> {
 
 const TITLES: [&str; 3] = ["the paper's form", "sound form, textbook Cardano", "embedded-lathe"];
 
-/// The colours, from 0.1 units to 10^6.5.
+/// The colors, from 0.1 units to 10^6.5.
 fn legend(canvas: &mut Canvas, left: i32, top: i32, width: i32) {
     let power = |x: i32| -1.0 + 7.5 * f64::from(x) / f64::from(width);
     for x in 0..width {
-        block(canvas, left + x, top, 1, 12, colour(10f64.powf(power(x))));
+        block(canvas, left + x, top, 1, 12, color(10f64.powf(power(x))));
     }
     for tick in [0.1, 1.0, 16.0, 1e3, 1e4, 1e5, 1e6f64] {
         let x = ((tick.log10() + 1.0) / 7.5 * f64::from(width)) as i32;
@@ -184,7 +184,7 @@ fn cell(scene: Scene, methods: &[Nearest; 3], column: u32, row: u32) -> [f64; 3]
 }
 
 /// Blue at 0.1 units, white at 16, where an answer is called wrong, orange above, red at 10⁶, black beyond.
-fn colour(units: f64) -> Rgb888 {
+fn color(units: f64) -> Rgb888 {
     if !(units <= 1e6) {
         return Rgb888::new(20, 10, 10);
     }

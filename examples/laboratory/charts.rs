@@ -69,7 +69,7 @@ impl Point {
         if self.wrong > 0.0 { self.wrong } else { NONE }
     }
 
-    fn colour(&self) -> RGBColor {
+    fn color(&self) -> RGBColor {
         match (self.method.as_str(), self.backend.as_str()) {
             ("split", _) => SHIPPED,
             ("Cardano", _) => CARDANO,
@@ -82,7 +82,7 @@ impl Point {
         ["split", "Cardano"].contains(&self.method.as_str())
     }
 
-    /// The crate's methods by name where they are cheapest, elsewhere by their backend alone: they have their own colours.
+    /// The crate's methods by name where they are cheapest, elsewhere by their backend alone: they have their own colors.
     fn label(&self, points: &[Self]) -> String {
         let others = points.iter().filter(|other| other.method == self.method);
         let cheapest = others.fold(f64::INFINITY, |cheapest, other| cheapest.min(other.cost));
@@ -142,7 +142,7 @@ fn panel(area: &Area, title: &str, points: &[Point]) -> Result<(), Box<dyn Error
     chart.draw_series(LineSeries::new(line.clone(), SHIPPED.mix(0.45).stroke_width(2)))?;
     for point in points {
         let place = (point.cost, point.height());
-        chart.draw_series([Circle::new(place, 5, point.colour().filled())])?;
+        chart.draw_series([Circle::new(place, 5, point.color().filled())])?;
     }
 
     let places: Vec<(i32, i32)> = points.iter().map(|p| chart.backend_coord(&(p.cost, p.height()))).collect();
@@ -171,9 +171,9 @@ fn panel(area: &Area, title: &str, points: &[Point]) -> Result<(), Box<dyn Error
         if aside {
             let near = if y < place.1 { y + 13 } else { y };
             let foot = place.0.clamp(x, x + size.0);
-            area.draw(&PathElement::new([place, (foot, near)], point.colour().mix(0.5)))?;
+            area.draw(&PathElement::new([place, (foot, near)], point.color().mix(0.5)))?;
         }
-        area.draw(&Text::new(text, (x, y), ("sans-serif", 13).into_font().color(&point.colour())))?;
+        area.draw(&Text::new(text, (x, y), ("sans-serif", 13).into_font().color(&point.color())))?;
     }
     let none = chart.backend_coord(&(least, NONE)).1 - top;
     area.draw(&Text::new("none", (45, none - 7), ("sans-serif", 13).into_font()))?;

@@ -6,7 +6,7 @@ use embedded_graphics::{
     primitives::{Circle, Line, PrimitiveStyle, Rectangle},
 };
 
-/// All greys, a border, rectangles with odd edges and over the display's, and single pixels.
+/// All grays, a border, rectangles with odd edges and over the display's, and single pixels.
 pub fn card<D: DrawTarget<Color = Gray4>>(n: i32, display: &mut D) -> Result<(), D::Error> {
     let all = display.bounding_box();
     display.fill_contiguous(&all, (0..64 * 128).map(|i| Gray4::new(((i / 8) % 16) as u8)))?;

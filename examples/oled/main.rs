@@ -1,4 +1,4 @@
-//! A turning vase on a Stellaris board's 128×64 panel of 16 greys.
+//! A turning vase on a Stellaris board's 128×64 panel of 16 grays.
 //!
 //! ```text
 //! cargo run --profile small --target thumbv7m-none-eabi    --example oled            Cortex-M3, soft float

@@ -1,4 +1,4 @@
-//! The lm3s6965evb's panel: an SSD0323, 128×64 in 16 greys, on SSI0.
+//! The lm3s6965evb's panel: an SSD0323, 128×64 in 16 grays, on SSI0.
 
 use core::{convert::Infallible, ops::RangeInclusive, ptr::with_exposed_provenance_mut};
 use embedded_graphics::{pixelcolor::Gray4, prelude::*, primitives::Rectangle};
@@ -123,7 +123,7 @@ impl DrawTarget for Panel<'_> {
         let (left, top) = (seen.top_left.x as usize, seen.top_left.y as usize);
         let (right, bottom) = (last.x as usize, last.y as usize);
 
-        // Colours hidden before the first pixel seen, and between one line seen and the next.
+        // Colors hidden before the first pixel seen, and between one line seen and the next.
         let hidden = seen.top_left - area.top_left;
         let mut skip = hidden.y as usize * area.size.width as usize + hidden.x as usize;
         let between = (area.size.width - seen.size.width) as usize;

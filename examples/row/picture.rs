@@ -1,6 +1,6 @@
 //! What is shown, and how.
 
-use crate::plane::{PIXELS, Point, along, colours, outline, seen, silhouettes};
+use crate::plane::{PIXELS, Point, along, colors, outline, seen, silhouettes};
 use crate::svg::Svg;
 use embedded_graphics::prelude::*;
 
@@ -42,10 +42,10 @@ pub fn picture() -> String {
     }
 
     let half = 0.5 * (along(1, SCREEN)[1] - along(0, SCREEN)[1]);
-    for (i, colour) in (0..).zip(colours()) {
+    for (i, color) in (0..).zip(colors()) {
         let [away, across] = along(i, SCREEN);
         let corners = [(0.0, -half), (0.03, -half), (0.03, half), (0.0, half)];
-        let fill = format!("fill=\"#{:06x}\" stroke=\"white\" stroke-width=\"0.4\"", colour.into_storage());
+        let fill = format!("fill=\"#{:06x}\" stroke=\"white\" stroke-width=\"0.4\"", color.into_storage());
         svg.shape(&corners.map(|(x, y)| [away + x, across + y]), &fill);
     }
     for i in 0..PIXELS {

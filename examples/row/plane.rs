@@ -65,7 +65,7 @@ pub fn outline() -> Vec<Point> {
 }
 
 /// The row as it is drawn.
-pub fn colours() -> [Rgb888; PIXELS as usize] {
+pub fn colors() -> [Rgb888; PIXELS as usize] {
     let mut row = [Rgb888::default(); PIXELS as usize];
     VASE_SCENE.picture(PIXELS, PIXELS).row(ROW, &mut row);
     row

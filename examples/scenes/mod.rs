@@ -156,9 +156,9 @@ pub static BALL_IN_BOWL: Scene = Scene {
 /// A round board.
 pub static BOARD: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::cylinder(1.2, 0.06)));
 
-const fn pawn_at(x: f32, y: f32, colour: Rgb) -> Solid<'static> {
+const fn pawn_at(x: f32, y: f32, color: Rgb) -> Solid<'static> {
     match Pose::new([x, y, 0.06], Rotation::IDENTITY, 0.7) {
-        Ok(pose) => Solid::new(&PAWN, colour).posed(pose),
+        Ok(pose) => Solid::new(&PAWN, color).posed(pose),
         Err(error) => error.stop(),
     }
 }

@@ -1,4 +1,4 @@
-//! A display's colours. Those with 5 bits a channel or more take the nearest shade, those with fewer are
+//! A display's colors. Those with 5 bits a channel or more take the nearest shade, those with fewer are
 //! dithered.
 
 use super::dither::{dithered, nearest};
@@ -9,8 +9,8 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 macro_rules! channels {
-    ($($colour:ty),*) => {$(
-        impl Paint for $colour {
+    ($($color:ty),*) => {$(
+        impl Paint for $color {
             const SHADES: Rgb = Rgb::new(Self::MAX_R as f32, Self::MAX_G as f32, Self::MAX_B as f32);
 
             #[inline]
@@ -23,7 +23,7 @@ macro_rules! channels {
 
 channels!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
 
-/// How much of each channel's light makes how bright a colour is, times the brightest shade: the weights of
+/// How much of each channel's light makes how bright a color is, times the brightest shade: the weights of
 /// ITU-R BT.601.
 const fn luma(most: f32) -> Rgb {
     Rgb::new(0.299 * most, 0.587 * most, 0.114 * most)

@@ -1,4 +1,4 @@
-//! Matt pixels where registers hold several numbers: what they see is gathered first, and then lit and coloured several at
+//! Matt pixels where registers hold several numbers: what they see is gathered first, and then lit and colored several at
 //! a time, by the same operations as one by one.
 
 use super::Canvas;
@@ -62,15 +62,15 @@ impl Gathered {
         pixels: &mut [C],
         (x, y): (u32, u32),
     ) {
-        let colour = |seen: Seen, column| C::shade(finish.matt(Share::wide(seen.light(towards))), column, y);
+        let color = |seen: Seen, column| C::shade(finish.matt(Share::wide(seen.light(towards))), column, y);
         let end = x + pixels.len() as u32;
         if to_left {
             for ((pixel, seen), n) in pixels.iter_mut().rev().zip(self.seen()).zip(1..) {
-                *pixel = colour(seen, end - n);
+                *pixel = color(seen, end - n);
             }
         } else {
             for ((pixel, seen), n) in pixels.iter_mut().zip(self.seen()).zip(0..) {
-                *pixel = colour(seen, x + n);
+                *pixel = color(seen, x + n);
             }
         }
     }

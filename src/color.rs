@@ -1,6 +1,6 @@
 //! Colors as the renderer reckons with them.
 
-use crate::math::{order::lesser, whole};
+use crate::math::{minmax::lesser, whole};
 
 /// A color as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
 /// gamma-corrected.

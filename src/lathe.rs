@@ -42,8 +42,8 @@ pub use segment::Segment;
 pub(crate) use sweep::Sweep;
 
 use crate::hit::{Hit, Part};
-use crate::math::constant;
-use crate::math::order::{greater, lesser};
+use crate::math::const_fn;
+use crate::math::minmax::{greater, lesser};
 use crate::profile::{End, Profile};
 use crate::vector::{F32x3, largest, vector};
 use segment::{larger, power_of_two_for, widened};
@@ -214,8 +214,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
         // The middle is rounded.
         let half = high.max(-low);
         let reach = widened(largest * scale * scale);
-        let root_squash = constant::sqrt(profile.squash);
-        let size = constant::sqrt(reach + half * half);
+        let root_squash = const_fn::sqrt(profile.squash);
+        let size = const_fn::sqrt(reach + half * half);
         let frame = Frame {
             len,
             squash: profile.squash,
@@ -227,7 +227,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
             reach,
             size,
             half_height: half / scale,
-            radius: constant::sqrt(reach) / (scale * root_squash),
+            radius: const_fn::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
             bulge: larger(bulge, glance::LEAST_BULGE),

@@ -38,7 +38,7 @@
 //!
 //! # The pipe
 //!
-//! Each stage is a file, and names only files to its left. (`valid`, `scene_error` and `seldom` are everybody's.)
+//! Each stage is a file, and names only files to its left. (`valid` and `scene_error` are everybody's.)
 //!
 //! ```text
 //! math → vector → cubic → solve → profile → ray → rays → hit → lathe → surface → color → light → camera
@@ -112,7 +112,6 @@ mod rays;
 mod rows;
 mod scene;
 mod scene_error;
-mod seldom;
 mod solid;
 mod surface;
 mod valid;

@@ -13,23 +13,29 @@
 //! A root rounds the same way wherever it is correctly rounded, so [`Native`], [`Libm`] and `Std` give the
 //! same bits wherever only `sqrt` is asked for. That is all the renderer asks for.
 
-pub(crate) mod constant;
-mod inverse_root;
+mod cold_path;
+pub(crate) mod const_fn;
 mod libm;
 mod micromath;
+pub(crate) mod minmax;
 mod native;
-pub(crate) mod order;
+mod rsqrt;
 #[cfg(feature = "std")]
 mod std;
 mod whole;
 
-pub(crate) use self::inverse_root::inverse_root;
+pub(crate) use self::cold_path::cold_path;
 pub use self::libm::Libm;
 pub use self::micromath::Micromath;
 pub use self::native::Native;
+pub(crate) use self::rsqrt::rsqrt;
 #[cfg(feature = "std")]
 pub use self::std::Std;
 pub(crate) use self::whole::whole;
+
+/// The unit roundoff of f32, 2⁻²⁴: an addition, multiplication, division or correctly rounded root is off by at most
+/// this, relative to its exact result.
+pub(crate) const UNIT_ROUNDOFF: f32 = 0.5 * f32::EPSILON;
 
 /// What the solvers ask of a mathematics library.
 ///

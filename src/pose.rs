@@ -1,6 +1,6 @@
 //! Where a solid stands, how it is turned, and how large it is.
 
-use crate::math::constant::sin_cos;
+use crate::math::const_fn::sin_cos;
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, dot, finite, scale, unit, vector};
 

@@ -6,7 +6,7 @@ mod extremes;
 
 pub use error::ProfileError;
 
-use crate::math::constant;
+use crate::math::const_fn;
 use extremes::Extremes;
 
 /// One cubic piece of a profile: between the heights z and z + h, at `z + h·u`, the squared radius is
@@ -149,7 +149,7 @@ impl<const N: usize> Profile<N> {
         if !(largest >= 1e-30 && largest <= 1e30) {
             return Err(ProfileError::Size);
         }
-        let radius = constant::sqrt(largest);
+        let radius = const_fn::sqrt(largest);
         if !(knots[len] - knots[0] <= MOST * radius) {
             return Err(ProfileError::Height);
         }

@@ -5,7 +5,7 @@ use crate::color::{Paint, Rgb, Shades, Share};
 use crate::hit::Hit;
 use crate::lathe::{Lathe, Seen, Stop, Sweep, Wall};
 use crate::light::Light;
-use crate::math::inverse_root;
+use crate::math::rsqrt;
 use crate::pose::Pose;
 use crate::ray::Ray;
 use crate::rays::Rays;
@@ -315,7 +315,7 @@ impl Finish {
         let nl = normal.dot(*towards);
         // r·v, r the light's direction mirrored and v against the view.
         let mirrored = towards.dot(view) - 2.0 * nl * normal.dot(view);
-        let mirrored = mirrored * (inverse_root(view.dot(view)) * (1.0 / Share::UNITS));
+        let mirrored = mirrored * (rsqrt(view.dot(view)) * (1.0 / Share::UNITS));
         Share::of_one(Light::highlight(self.shininess, nl, mirrored))
     }
 }

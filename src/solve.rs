@@ -43,7 +43,7 @@ pub(crate) use bracketed::Bracketed;
 pub(crate) use pieces::{first_crossing, first_piece};
 
 use crate::cubic::Cubic;
-use crate::math::order::greater;
+use crate::math::minmax::greater;
 use crate::math::{Math, Native};
 use heapless::Vec;
 use pieces::crossing;

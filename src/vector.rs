@@ -3,7 +3,7 @@
 
 pub use micromath::vector::{F32x3, Vector};
 
-use crate::math::{constant, order::greater};
+use crate::math::{const_fn, minmax::greater};
 
 /// The vector of three components.
 pub(crate) const fn vector([x, y, z]: [f32; 3]) -> F32x3 {
@@ -57,7 +57,7 @@ pub(crate) const fn to_one(v: F32x3) -> Option<(F32x3, f32)> {
 /// The unit vector along `v`, whatever its length. `None` if it is zero or not finite.
 pub(crate) const fn unit(v: F32x3) -> Option<F32x3> {
     match to_one(v) {
-        Some((v, _)) => Some(scale(v, 1.0 / constant::sqrt(dot(v, v)))),
+        Some((v, _)) => Some(scale(v, 1.0 / const_fn::sqrt(dot(v, v)))),
         None => None,
     }
 }

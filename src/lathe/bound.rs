@@ -1,7 +1,7 @@
 //! How high a cubic comes.
 
 use crate::cubic::Cubic;
-use crate::math::order::greater;
+use crate::math::minmax::greater;
 use crate::math::{Math, Native};
 
 /// The greatest value of a cubic from `-before` to `beyond`: at an end, or where g′ = 0 and falls.

@@ -2,7 +2,7 @@ use super::path::Path;
 use super::segment::Segment;
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 use crate::solve::{Solver, first_crossing, first_piece};
 
 /// What of a ray lies in one segment's slab, and g along it.

@@ -4,7 +4,7 @@ use super::bound::{highest, most};
 use super::path::{Path, flat};
 use super::sweep::Sweep;
 use crate::cubic::Cubic;
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::vector::F32x3;
 

@@ -18,7 +18,7 @@
 use super::clear::Crest;
 use super::segment::Segment;
 use super::sweep::Sweep;
-use crate::math::order::lesser;
+use crate::math::minmax::lesser;
 
 /// How a root is known to be the first.
 pub(super) struct First {

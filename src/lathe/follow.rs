@@ -2,8 +2,8 @@
 
 use super::path::flat;
 use super::sweep::Sweep;
-use crate::math::order::greater;
-use crate::seldom::seldom;
+use crate::math::cold_path;
+use crate::math::minmax::greater;
 use crate::vector::{F32x3, vector};
 
 /// How often Newton's method, or a change of segment, is tried before the ray goes alone.
@@ -71,7 +71,7 @@ impl Sweep<'_> {
                 let back = (f - (x * x + y * y)) / steep;
                 s -= back;
                 if !(back * back <= tolerance * steep) {
-                    seldom();
+                    cold_path();
                     tries -= 1;
                     if tries == 0 || !(steep > 0.0) {
                         stop = Stop::Lost;

@@ -20,10 +20,10 @@
 use super::{View, is_beyond};
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
-use crate::math::order::{greater, lesser};
+use crate::math::cold_path;
+use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::ray::Ray;
-use crate::seldom::seldom;
 
 /// What is seen at a glance.
 pub(super) enum Glance {
@@ -88,7 +88,7 @@ impl View<'_> {
         // Beyond an end's plane, on that plane. Farther from the axis the solid is on one side of it.
         let end = lesser(frame.high, greater(frame.low, z));
         if end != z {
-            seldom();
+            cold_path();
             let away = (end - z) / d.z;
             pull = q * away;
             square += pull * away;
@@ -127,7 +127,7 @@ impl View<'_> {
             if to.to_bits() <= 1_f32.to_bits() {
                 break (segment, u, kappa, [c0, c1, c2], s);
             }
-            seldom();
+            cold_path();
             if is_second {
                 return Glance::Unclear;
             }

@@ -6,7 +6,7 @@ use super::path::Path;
 use super::walk::walk;
 use super::{Lathe, Segment};
 use crate::hit::Hit;
-use crate::math::order::greater;
+use crate::math::minmax::greater;
 use crate::ray::Ray;
 use crate::solve::{Bracketed, Solver};
 use core::ops::ControlFlow;

@@ -1,7 +1,7 @@
 use super::line::Line;
 use super::segment::Segment;
 use crate::cubic::Cubic;
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 use crate::vector::F32x3;
 
 /// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what

@@ -8,7 +8,7 @@ use super::glance::ROUNDING;
 use super::path::flat;
 use super::segment::Segment;
 use super::sweep::Sweep;
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::rays::Rays;
 use crate::vector::{F32x3, cross, dot, one_norm, vector};

@@ -2,7 +2,7 @@
 
 use super::segment::Segment;
 use super::sweep::Sweep;
-use crate::math::inverse_root;
+use crate::math::rsqrt;
 use crate::vector::{F32x3, Vector, vector};
 
 /// What a ray sees of the surface.
@@ -17,7 +17,7 @@ pub(crate) struct Seen {
 impl Seen {
     #[inline(always)]
     pub fn new(gradient: F32x3) -> Self {
-        Self { gradient, per_length: inverse_root(gradient.dot(gradient)) }
+        Self { gradient, per_length: rsqrt(gradient.dot(gradient)) }
     }
 
     /// How straight light from there falls: the cosine, times how long `towards` is.

@@ -1,4 +1,4 @@
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 use crate::profile::Span;
 
 /// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn); its size is

@@ -18,7 +18,7 @@ use super::line::Line;
 use super::path::{Path, flat};
 use super::segment::Segment;
 use crate::hit::{Hit, Part};
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 use crate::rays::Rays;
 use crate::vector::F32x3;
 

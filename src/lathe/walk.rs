@@ -3,7 +3,7 @@ use super::path::Path;
 use super::{Frame, Segment, View, is_beyond};
 use crate::hit::Hit;
 use crate::math::Math;
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 use crate::solve::Solver;
 use core::ops::ControlFlow;
 

@@ -1,4 +1,4 @@
-use super::order::{greater, lesser};
+use super::minmax::{greater, lesser};
 
 /// `x as u32`, bit by bit, by operations that wide registers have for several numbers at once: their own conversion is
 /// to numbers with a sign.

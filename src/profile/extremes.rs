@@ -1,4 +1,4 @@
-use super::constant;
+use super::const_fn;
 
 /// The least and the largest value of a cubic over [0, 1].
 pub(super) struct Extremes {
@@ -28,7 +28,7 @@ impl Extremes {
         // + 2·d1·u(1−u) + d2·u²).
         if size > 0.0 {
             let (d0, d1, d2) = ((b1 - b0) / size, (b2 - b1) / size, (b3 - b2) / size);
-            let root = constant::sqrt(d1 * d1 - d0 * d2);
+            let root = const_fn::sqrt(d1 * d1 - d0 * d2);
             let sum = if d0 - d1 >= 0.0 { d0 - d1 + root } else { d0 - d1 - root };
             let turns = [d0 / sum, sum / (d0 - 2.0 * d1 + d2)];
             let mut i = 0;

@@ -1,12 +1,9 @@
 use super::{Piece, Solver};
 use crate::cubic::Cubic;
-use crate::math::Native;
+use crate::math::{Native, UNIT_ROUNDOFF};
 
 /// Of Newton's steps and halvings. Halvings alone would take 25.
 const MOST_STEPS: u32 = 64;
-
-/// A value of so small a part of its terms is zero, but for rounding, and a step of so small a part of the piece none.
-const UNIT: f32 = 1.0 / 16_777_216.0;
 
 /// Newton's method in a bracket, no more: a step that leaves it is replaced by its middle.
 ///
@@ -19,7 +16,7 @@ impl Solver for Bracketed {
     #[inline(always)]
     fn root(g: &Cubic, piece: &Piece) -> f32 {
         let (mut lo, mut hi) = (piece.lo, piece.hi);
-        let last = UNIT * (hi - lo);
+        let last = UNIT_ROUNDOFF * (hi - lo);
         let mut u = hi;
         for _ in 0..MOST_STEPS {
             if !(lo < u && u < hi) {
@@ -32,7 +29,7 @@ impl Solver for Bracketed {
                 hi = u;
             }
             let step = value / g.slope(u);
-            if value.abs() <= UNIT * g.size(u) || step.abs() <= last {
+            if value.abs() <= UNIT_ROUNDOFF * g.size(u) || step.abs() <= last {
                 return u;
             }
             u -= step;
@@ -44,8 +41,9 @@ impl Solver for Bracketed {
 #[cfg(test)]
 mod tests {
     extern crate std;
-    use super::{Bracketed, UNIT};
+    use super::Bracketed;
     use crate::cubic::Cubic;
+    use crate::math::UNIT_ROUNDOFF;
     use crate::solve::{BACKWARD_ERROR, DefaultSolver, first_crossing};
     use rand::rngs::ChaCha8Rng;
     use rand::{RngExt, SeedableRng};
@@ -75,7 +73,7 @@ mod tests {
             let size = c0.abs() + (c1 * u).abs() + (c2 * u * u).abs() + (c3 * u * u * u).abs();
             // What is left by the last step, of the whole interval at most.
             let slope = (3.0 * c3 * u + 2.0 * c2) * u + c1;
-            let left = f64::from(UNIT) * f64::from(hi + 1.0) * slope.abs();
+            let left = f64::from(UNIT_ROUNDOFF) * f64::from(hi + 1.0) * slope.abs();
             worst = worst.max((value.abs() - left) / size * 24_f64.exp2());
             roots += 1;
         }

@@ -1,7 +1,7 @@
 use super::Solver;
 use crate::cubic::Cubic;
 use crate::math::Math;
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 
 /// Where a cubic first crosses zero: it is positive from `lo` to the crossing, and negative, or zero, at `hi`. There is
 /// no other crossing between them.

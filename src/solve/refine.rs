@@ -1,12 +1,11 @@
 use super::{Fall, Piece};
 use crate::cubic::Cubic;
-use crate::math::order::lesser;
+use crate::math::UNIT_ROUNDOFF;
+use crate::math::minmax::lesser;
 
 /// Bisection alone would need one step a bit of the result, 24, after as many as the exponents differ.
 /// Newton's needs two or three; the rest is for those who call with an interval like ±10³⁸ and a bad seed.
 const MOST_STEPS: u32 = 160;
-
-const UNIT: f32 = 1.0 / 16_777_216.0;
 
 /// The root of `g` in a piece, by Newton's method from any seed, NaN too: a poor one costs time, never the
 /// answer. For solvers whose seeds are poor, or poor at times: `g` as a [`Solver`](super::Solver) is given it, above zero
@@ -42,7 +41,7 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
             }
         }
         let value = g.at(u);
-        let rounding = UNIT * g.size(u);
+        let rounding = UNIT_ROUNDOFF * g.size(u);
         let step = value / g.slope(u);
         let reach = 0.5 * lesser(u - maximum, minimum - u);
         let far = step.abs() > reach;

@@ -1,7 +1,7 @@
 use super::Solver;
 use super::pieces::crossing;
 use crate::cubic::Cubic;
-use crate::math::order::{greater, lesser};
+use crate::math::minmax::{greater, lesser};
 
 /// How far an interval may reach to be solved as it is.
 const TAME: f32 = (1_u64 << 30) as f32;

@@ -1,5 +1,8 @@
 //! A cubic polynomial in power form.
 
+use crate::math::minmax::greater;
+use crate::math::{Math, Native};
+
 /// `c0 + c1·u + c2·u² + c3·u³`, constant term first.
 ///
 /// Any coefficient may be zero, the leading ones too: "cubic" is the most it can be.
@@ -68,5 +71,26 @@ impl Cubic {
         let [c0, c1, c2, c3] = self.c;
         let u = u.abs();
         ((c3.abs() * u + c2.abs()) * u + c1.abs()) * u + c0.abs()
+    }
+
+    /// The greatest value from `-before` to `beyond`: at an end, or where the derivative is zero and falls.
+    pub(crate) fn max_on(&self, before: f32, beyond: f32) -> f32 {
+        let [_, c1, c2, c3] = self.c;
+        let ends = greater(self.at(-before), self.at(beyond));
+        // Of the two forms of that root the one that does not cancel.
+        let root = Native::sqrt(c2 * c2 - 3.0 * c3 * c1);
+        let top = if c2 > 0.0 { -(c2 + root) / (3.0 * c3) } else { c1 / (root - c2) };
+        if -before < top && top < beyond { greater(ends, self.at(top)) } else { ends }
+    }
+}
+
+/// The greatest value of `c0 + c1·x + c2·x²` for x from `-half` to `half`.
+#[inline(always)]
+pub(crate) fn quadratic_max_on(c0: f32, c1: f32, c2: f32, half: f32) -> f32 {
+    // Where the vertex lies inside and the parabola opens downwards.
+    if c1.abs() + 2.0 * c2 * half < 0.0 {
+        c0 - 0.25 * c1 * c1 / c2
+    } else {
+        c0 + (c1.abs() + c2 * half) * half
     }
 }

@@ -1,11 +1,11 @@
 //! A profile made ready to meet rays.
 //!
 //! ```text
-//! Ray ─┬─ Line ──────── Path ── Chord ─────────────── Cubic ──────── crossings ── Hit
-//!      │  the ray in           what of it lies in    g about the    where g
-//!      │  the lathe's          one segment's slab    chord's        changes
-//!      │  own frame                                  narrowest      sign
-//!      └─ a glance: most rays need no more
+//! Ray ─┬─ LocalRay ───── Chord ─────────────── Cubic ──────── crossings ── Hit
+//!      │  the ray in     what of it lies in    g about the    where g
+//!      │  the lathe's    one segment's slab    chord's        changes
+//!      │  own frame                            narrowest      sign
+//!      └─ fast path: most rays need no more
 //! ```
 //!
 //! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so
@@ -15,37 +15,23 @@
 //!
 //! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and
 //! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
-//! (`walk.rs`.) What most rays meet first, if anything, bounds on g tell without that. (`glance.rs`.)
 //!
-//! The rays of a row of pixels are followed together: `run.rs`, `sweep.rs`, `follow.rs`, `cap.rs`, and what certifies it,
-//! `first.rs` and `clear.rs`. What they see there is told in `seen.rs`.
+//! Three rooms: the ground (`frame.rs`, `segment.rs`), one ray (`ray/`), and the rays of a row of pixels together (`row/`).
 
-mod bound;
-mod cap;
-mod chord;
-mod clear;
-mod first;
-mod follow;
-mod glance;
-mod intersect;
-mod line;
-mod path;
-mod run;
-mod seen;
+mod frame;
+mod ray;
+mod row;
 mod segment;
-mod sweep;
-mod walk;
 
-pub(crate) use follow::{FRESH, Stop};
-pub(crate) use seen::{Seen, Wall};
+pub(crate) use row::{FRESH, RayRow, Seen, Stop, Sweep, Wall};
 pub use segment::Segment;
-pub(crate) use sweep::Sweep;
 
 use crate::hit::{Hit, Part};
 use crate::math::const_fn;
 use crate::math::minmax::{greater, lesser};
-use crate::profile::{End, Profile};
+use crate::profile::Profile;
 use crate::vector::{F32x3, largest, vector};
+use frame::{EndPlane, Frame, View};
 use segment::{larger, power_of_two_for, widened};
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
@@ -75,109 +61,6 @@ pub struct Lathe<S: ?Sized = [Segment]> {
     frame: Frame,
     /// As many as the frame says, then spare room, empty.
     segments: S,
-}
-
-/// What the segments of a lathe have in common.
-///
-/// Its own frame is object space moved so that the origin is half way up, and scaled.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Frame {
-    /// How many segments there are.
-    len: usize,
-    squash: f32,
-    root_squash: f32,
-    /// A power of two: lengths in the frame are lengths in object space times it. It brings the largest
-    /// squared radius into [1, 4).
-    scale: f32,
-    /// The height in object space of the frame's origin.
-    middle: f32,
-    /// The lowest and the highest height, in the frame.
-    low: f32,
-    high: f32,
-    /// The square of the bounding cylinder's radius, in the frame.
-    reach: f32,
-    /// The radius of a ball around all of it.
-    size: f32,
-    /// Half its height, and the radius of a cylinder around it, infinite around a sheet, in object space.
-    half_height: f32,
-    radius: f32,
-    /// Bounds on the first derivative of the squared radius by height, and on half the second.
-    steepest: f32,
-    curvature: f32,
-    /// Half the largest second derivative, or `LEAST_BULGE` if that is more, and half the sum of all jumps upwards of the
-    /// first, at joins.
-    bulge: f32,
-    kinks: f32,
-    /// The lower end's plane, and the upper one's.
-    base: EndPlane,
-    top: EndPlane,
-    /// A power of two, no less than half of `len`: the first step of a search.
-    stride: usize,
-    /// √k·scale: a ray's moment about the axis, in object space, times this is that in the frame.
-    across: f32,
-    /// What rounding can do to g at a unit's distance, and how much more doubt there is at least: see `glance.rs`.
-    rounding: f32,
-    room: f32,
-}
-
-/// What the plane of an end holds, in the frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct EndPlane {
-    /// What part of the surface: nothing if the end is open, and the wall itself where that closes to a point.
-    part: Option<Part>,
-    /// The square of the cap's radius: zero if there is none.
-    cap: f32,
-}
-
-impl EndPlane {
-    /// Given the squared radius there.
-    const fn new(square: f32, end: End, cap: Part) -> Self {
-        match end {
-            _ if square == 0.0 => Self { part: Some(Part::Wall), cap: 0.0 },
-            End::Capped => Self { part: Some(cap), cap: square },
-            End::Open => Self { part: None, cap: 0.0 },
-        }
-    }
-}
-
-impl Frame {
-    /// A point of object space, before x is scaled by √k.
-    #[inline(always)]
-    fn point(&self, p: F32x3) -> F32x3 {
-        (p - vector([0.0, 0.0, self.middle])) * self.scale
-    }
-
-    /// x scaled by √k: there every lathe is round.
-    #[inline(always)]
-    fn squashed(&self, v: F32x3) -> F32x3 {
-        vector([v.x * self.root_squash, v.y, v.z])
-    }
-}
-
-/// A lathe whatever its size.
-#[derive(Clone, Copy)]
-struct View<'a> {
-    frame: &'a Frame,
-    segments: &'a [Segment],
-}
-
-impl View<'_> {
-    /// The number of the segment at a height, by steps each half of the one before. Spare room lies above any height.
-    #[inline]
-    fn index_at(&self, z: f32) -> usize {
-        let (mut index, mut stride) = (0, self.frame.stride);
-        loop {
-            if self.segments.get(index + stride).is_some_and(|segment| segment.low <= z) {
-                index += stride;
-            }
-            stride /= 2;
-            if stride == 0 {
-                return index;
-            }
-        }
-    }
 }
 
 impl<const N: usize> Lathe<[Segment; N]> {
@@ -230,22 +113,17 @@ impl<const N: usize> Lathe<[Segment; N]> {
             radius: const_fn::sqrt(reach) / (scale * root_squash),
             steepest,
             curvature,
-            bulge: larger(bulge, glance::LEAST_BULGE),
+            bulge: larger(bulge, frame::LEAST_BULGE),
             kinks: 0.5 * kinks,
             base: EndPlane::new(segments[0].b[0], profile.base, Part::Base),
             top: EndPlane::new(segments[len - 1].b[3], profile.top, Part::Top),
             stride: len.div_ceil(2).next_power_of_two(),
             across: scale * root_squash,
-            rounding: glance::ROUNDING * (2.0 + steepest),
-            room: glance::ROOM * size,
+            rounding: frame::ROUNDING * (2.0 + steepest),
+            room: frame::ROOM * size,
         };
         Self { frame, segments }
     }
-}
-
-/// A distance too large for a number is none.
-fn is_beyond(t: f32, t_min: f32) -> bool {
-    t > t_min && t <= f32::MAX
 }
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {

@@ -41,7 +41,7 @@
 //! Each stage is a file, and names only files to its left. (`valid` and `scene_error` are everybody's.)
 //!
 //! ```text
-//! math → vector → cubic → solve → profile → ray → rays → hit → lathe → surface → color → light → camera
+//! math → vector → cubic → solve → profile → ray → hit → lathe → surface → color → light → camera
 //!      → pose → solid → scene → occlusion → rows → draw
 //! ```
 //!
@@ -108,7 +108,6 @@ mod occlusion;
 mod pose;
 mod profile;
 mod ray;
-mod rays;
 mod rows;
 mod scene;
 mod scene_error;

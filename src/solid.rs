@@ -3,12 +3,11 @@
 use crate::camera::{Projection, Row};
 use crate::color::{Paint, Rgb, Shades, Share};
 use crate::hit::Hit;
-use crate::lathe::{Lathe, Seen, Stop, Sweep, Wall};
+use crate::lathe::{Lathe, RayRow, Seen, Stop, Sweep, Wall};
 use crate::light::Light;
 use crate::math::rsqrt;
 use crate::pose::Pose;
 use crate::ray::Ray;
-use crate::rays::Rays;
 use crate::solve::Bracketed;
 use crate::surface::Surface;
 use crate::vector::{F32x3, Vector, largest, vector};
@@ -109,7 +108,7 @@ impl<'a> Solid<'a> {
             Projection::Perspective => (none, step),
             Projection::Orthographic => (step * unit, none),
         };
-        let rays = Rays { origin, origin_step, direction, direction_step };
+        let rays = RayRow { origin, origin_step, direction, direction_step };
         let sweep = self.lathe.sweep(&rays, unit, row.camera.rough, (start, end));
         SolidRow { solid: self, row, views: Views { first: direction, step: direction_step }, sweep }
     }

@@ -19,6 +19,12 @@ pub(crate) const fn dot(a: F32x3, b: F32x3) -> f32 {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
+/// ⟨a, b⟩ without z.
+#[inline(always)]
+pub(crate) fn dot_xy(a: F32x3, b: F32x3) -> f32 {
+    a.x * b.x + a.y * b.y
+}
+
 pub(crate) const fn scale(v: F32x3, by: f32) -> F32x3 {
     vector([v.x * by, v.y * by, v.z * by])
 }

@@ -11,15 +11,14 @@
 //! - **One of a run of misses**, certified together ([`Sweep::look`], `clear.rs`).
 //! - **Nothing certain**: within `doubt` of a silhouette, a rim or a cap. Its ray goes alone, as any other.
 
-use super::View;
-use super::first::First;
-use super::follow::STEPS;
-use super::line::Line;
-use super::path::{Path, flat};
-use super::segment::Segment;
+use super::certify::First;
+use super::ray_row::RayRow;
+use super::track::STEPS;
 use crate::hit::{Hit, Part};
+use crate::lathe::frame::View;
+use crate::lathe::ray::LocalRay;
+use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
-use crate::rays::Rays;
 use crate::vector::F32x3;
 
 /// A run of rays at a lathe, and the root that is followed along it.
@@ -32,7 +31,7 @@ pub(crate) struct Sweep<'a> {
     /// Not if another solid may be nearer, either.
     pub(super) may_follow: bool,
     /// M and D, in the frame, x scaled by √k, counted from half a pixel before the first one.
-    pub(super) rays: Rays,
+    pub(super) rays: RayRow,
     /// Where s = 0 is on the rays; a distance along them, times `unit`, is counted in s.
     pub(super) shift: f32,
     pub(super) unit: f32,
@@ -93,13 +92,13 @@ impl Sweep<'_> {
     }
 
     /// A ray of it.
-    pub(super) fn path(&self, (point, direction): (F32x3, F32x3)) -> Path {
-        Path::of(&Line { point, direction, q: flat(direction, direction), back: 0.0, unit: 1.0 })
+    pub(super) fn path(&self, (point, direction): (F32x3, F32x3)) -> LocalRay {
+        LocalRay::through(point, direction)
     }
 
     /// From where to where rays can meet the solid at the height that this one has there: it itself, and as many more
     /// as [`Sweep::pixels`] reckons with, which come to a height up to four spans earlier or later.
-    pub(super) fn reach(&self, path: &Path) -> (f32, f32) {
+    pub(super) fn reach(&self, path: &LocalRay) -> (f32, f32) {
         let span = 5.0 * self.span;
         let (near, far) = path.slab(self.low, self.high);
         (greater(-span, near), lesser(span, far))

@@ -1,14 +1,15 @@
-use super::line::Line;
-use super::segment::Segment;
 use crate::cubic::Cubic;
+use crate::lathe::frame::Frame;
+use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
-use crate::vector::F32x3;
+use crate::ray::Ray;
+use crate::vector::{F32x3, dot, dot_xy};
 
 /// A ray in the lathe's frame, its origin moved along it to where it is nearest to the frame's, so that what
 /// follows has the size of the solid however far away the ray comes from. x is scaled by √k: there every
 /// lathe is round, and of x and y no more matters than the square of the distance from the axis,
 /// `square + q·(t − nearest)²`.
-pub(super) struct Path {
+pub(crate) struct LocalRay {
     pub z: f32,
     pub dz: f32,
     /// Infinite for a horizontal path.
@@ -25,16 +26,27 @@ pub(super) struct Path {
     pub unit: f32,
 }
 
-impl Path {
+impl LocalRay {
+    /// A ray of object space.
     #[inline(always)]
-    pub fn of(line: &Line) -> Self {
-        let Line { point: p, direction: d, q, back, unit } = *line;
+    pub fn new(frame: &Frame, ray: &Ray) -> Self {
+        let (o, d) = (frame.squashed(frame.point(ray.origin)), frame.squashed(ray.direction));
+        let back = dot(o, d) / dot(d, d);
+        Self { shift: -back, unit: frame.scale * ray.unit, ..Self::through(o - d * back, d) }
+    }
+
+    /// A line of the frame, x scaled by √k, about a point of its own that lies near the solid. t counts from that point, and in
+    /// units of `direction`.
+    #[inline(always)]
+    pub fn through(point: F32x3, direction: F32x3) -> Self {
+        let (p, d) = (point, direction);
+        let q = dot_xy(d, d);
         // Parallel to the axis, it is as near everywhere.
-        let nearest = if q > f32::MIN_POSITIVE { -flat(p, d) / q } else { 0.0 };
+        let nearest = if q > f32::MIN_POSITIVE { -dot_xy(p, d) / q } else { 0.0 };
         let (x, y) = (p.x + nearest * d.x, p.y + nearest * d.y);
         // −0 + 0 = +0: a horizontal path counts as rising.
         let per_dz = 1.0 / (d.z + 0.0);
-        Self { z: p.z, dz: d.z, per_dz, q, nearest, square: x * x + y * y, shift: -back, unit }
+        Self { z: p.z, dz: d.z, per_dz, q, nearest, square: x * x + y * y, shift: 0.0, unit: 1.0 }
     }
 
     /// Whether it rises, or runs level.
@@ -93,10 +105,4 @@ impl Path {
     pub fn distance(&self, t: f32) -> f32 {
         (t + self.shift) / self.unit
     }
-}
-
-/// ⟨a, b⟩ without z.
-#[inline(always)]
-pub(super) fn flat(a: F32x3, b: F32x3) -> f32 {
-    a.x * b.x + a.y * b.y
 }

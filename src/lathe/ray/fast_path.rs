@@ -17,9 +17,10 @@
 //! below zero g must be by more; behind a root it must rise above that, as it does where `(A − J)² > 4·doubt·|g″/2|`; and
 //! the segment's ends, and the ray's start, must be farther away. What is not a number decides nothing.
 
-use super::{View, is_beyond};
+use super::is_beyond;
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
+use crate::lathe::frame::View;
 use crate::math::cold_path;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
@@ -33,20 +34,6 @@ pub(super) enum Glance {
     Unclear,
 }
 
-/// Doubt is this times `(2 + S)·(ROOM·size + |back|·(q + dz²))`, S the profile's steepest: sixteen units of 2⁻²⁴.
-///
-/// Rounding puts the square of the distance from the axis off by 23·r² units at most, r the radius, and 4·|back|·√q; the
-/// squared radius by 10·r² + 4.5·S·size, and by S times what the height is off by, 9·size + 3·r·|dz|/√q + 11·|back·dz|.
-/// On an end's plane the former is off by what the height is, times |2·q·away/dz|, more: there doubt is 1 + |q·away/dz| times
-/// as large.
-/// Where K is below zero, |dz|/√q is below 8; where q is no less than [`FLAT`], √q is at most 2·(q + dz²), |dz| at most q + dz².
-pub(super) const ROUNDING: f32 = 16.0 / 16_777_216.0;
-/// How many times the solid's size.
-pub(super) const ROOM: f32 = 2.5;
-
-/// The least that `bulge` is taken for.
-pub(super) const LEAST_BULGE: f32 = 1.0 / 64.0;
-
 /// The q of a ray that is not steep: whatever a direction's length, from 1 to 43.
 const FLAT: f32 = 0.25;
 
@@ -59,7 +46,7 @@ const ROOT: f32 = 1.0 / 33_554_432.0;
 impl View<'_> {
     /// What a ray meets beyond `t_min`.
     #[inline]
-    pub fn glance(&self, ray: &Ray, t_min: f32) -> Glance {
+    pub(super) fn glance(&self, ray: &Ray, t_min: f32) -> Glance {
         let View { frame, segments } = *self;
         let (o, d) = (ray.origin, ray.direction);
         let x = d.x * frame.squash;

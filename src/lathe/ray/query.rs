@@ -1,11 +1,10 @@
 //! What one may ask of a ray and a lathe: the nearest crossing, any, all.
 
-use super::glance::Glance;
-use super::line::Line;
-use super::path::Path;
-use super::walk::walk;
-use super::{Lathe, Segment};
+use super::fast_path::Glance;
+use super::local_ray::LocalRay;
+use super::traverse::walk;
 use crate::hit::Hit;
+use crate::lathe::{Lathe, Segment};
 use crate::math::minmax::greater;
 use crate::ray::Ray;
 use crate::solve::{Bracketed, Solver};
@@ -37,7 +36,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
             assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
         }
         let mut hits = Vec::<Hit, C>::new();
-        let path = Path::of(&Line::new(&self.frame, ray));
+        let path = LocalRay::new(&self.frame, ray);
         let _: Option<()> = walk::<S, _, false>(self.view(), &path, t_min, |hit| {
             let hit = match (hits.last(), nearest) {
                 (None, Some(nearest)) if hit.enters => nearest,
@@ -80,7 +79,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     // In line: of two frames one within the other this makes one, where the stack is deepest.
     #[inline(always)]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        let path = Path::of(&Line::new(&self.frame, ray));
+        let path = LocalRay::new(&self.frame, ray);
         walk::<S, _, false>(self.view(), &path, t_min, ControlFlow::Break)
     }
 
@@ -96,7 +95,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
     /// [`Lathe::is_hit`] with the solver S, by a walk along the ray.
     pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
-        let path = Path::of(&Line::new(&self.frame, ray));
+        let path = LocalRay::new(&self.frame, ray);
         walk::<S, _, true>(self.view(), &path, t_min, ControlFlow::Break).is_some()
     }
 }

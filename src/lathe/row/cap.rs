@@ -1,8 +1,8 @@
 //! Caps that rays come in through. There is nothing before them, for a run that is of use begins outside.
 
-use super::path::flat;
-use super::seen::Seen;
+use super::normal::Seen;
 use super::sweep::Sweep;
+use crate::vector::dot_xy;
 use crate::vector::vector;
 
 impl Sweep<'_> {
@@ -24,7 +24,7 @@ impl Sweep<'_> {
             let (m, d) = self.ray(i);
             let p = m + d * ((z - m.z) / d.z);
             // The flatter the ray, the farther off rounding may put the place.
-            if !((cap - flat(p, p)) * d.z.abs() > self.doubt) {
+            if !((cap - dot_xy(p, p)) * d.z.abs() > self.doubt) {
                 break;
             }
             see(i, &Seen { gradient: vector([0.0, 0.0, up]), per_length: 1.0 });

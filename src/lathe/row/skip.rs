@@ -1,12 +1,12 @@
 //! Runs of pixels that see nothing: how high g comes along one ray, and for how many more that will do.
 
-use super::bound::{highest, most};
-use super::path::{Path, flat};
 use super::sweep::Sweep;
-use crate::cubic::Cubic;
+use crate::cubic::{Cubic, quadratic_max_on};
+use crate::lathe::ray::LocalRay;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::vector::F32x3;
+use crate::vector::dot_xy;
 
 /// How high g comes along a ray.
 pub(super) struct Crest {
@@ -20,7 +20,7 @@ impl Sweep<'_> {
     /// A bound on g, or on its negative, along a ray between two points of it, by the cubics of the segments, as far as the
     /// first that may bring it to zero.
     #[inline(never)]
-    pub(super) fn crest(&self, path: &Path, sign: f32, (near, far): (f32, f32)) -> Crest {
+    pub(super) fn crest(&self, path: &LocalRay, sign: f32, (near, far): (f32, f32)) -> Crest {
         let segments = self.lathe.segments;
         let mut crest = Crest { g: f32::NEG_INFINITY, entry: None };
         let step = if path.rises() { 1 } else { usize::MAX };
@@ -36,7 +36,7 @@ impl Sweep<'_> {
             let mut most_here = segment.reach - path.around(at).0;
             if sign < 0.0 || most_here > crest.g && !(most_here < -self.doubt) {
                 let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
-                most_here = most(&g, at - from, to - at);
+                most_here = g.max_on(at - from, to - at);
                 if !(most_here < -self.doubt) {
                     let sign = if g.at(from - at) > 0.0 { -1.0 } else { 1.0 };
                     let s = at + zero(&g, sign);
@@ -91,7 +91,7 @@ impl Sweep<'_> {
     #[inline(never)]
     pub(super) fn pixels(
         &self,
-        path: &Path,
+        path: &LocalRay,
         (m, d): (F32x3, F32x3),
         sign: f32,
         room: f32,
@@ -104,8 +104,14 @@ impl Sweep<'_> {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
         let (p, v) = (m + d * middle, v0 + v1 * middle);
-        let pace = highest(-sign * flat(p, v), -sign * (flat(p, v1) + flat(d, v)), -sign * flat(d, v1), half);
-        let square = highest(-sign * flat(v, v), -2.0 * sign * flat(v, v1), -sign * flat(v1, v1), half);
+        let pace = quadratic_max_on(
+            -sign * dot_xy(p, v),
+            -sign * (dot_xy(p, v1) + dot_xy(d, v)),
+            -sign * dot_xy(d, v1),
+            half,
+        );
+        let square =
+            quadratic_max_on(-sign * dot_xy(v, v), -2.0 * sign * dot_xy(v, v1), -sign * dot_xy(v1, v1), half);
         // By what part of itself dz falls from pixel to pixel, or, negative, grows: n of them move the points as far as
         // `n/(1 − n·turn)` did at the pace of the first.
         let turn = -d1.z * per_dz;

@@ -1,7 +1,9 @@
 use super::chord::Chord;
-use super::path::Path;
-use super::{Frame, Segment, View, is_beyond};
+use super::is_beyond;
+use super::local_ray::LocalRay;
 use crate::hit::Hit;
+use crate::lathe::frame::{Frame, View};
+use crate::lathe::segment::Segment;
 use crate::math::Math;
 use crate::math::minmax::{greater, lesser};
 use crate::solve::Solver;
@@ -18,7 +20,7 @@ const ROUNDING: f32 = 1.0 / 4_194_304.0;
 #[inline(always)]
 pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     lathe: View<'_>,
-    path: &Path,
+    path: &LocalRay,
     t_min: f32,
     mut meet: impl FnMut(Hit) -> ControlFlow<B>,
 ) -> Option<B> {
@@ -98,7 +100,7 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
 
 /// The hit in the plane of an end, if part of the surface is there, beyond `t_min`.
 #[inline(never)]
-fn cap(frame: &Frame, path: &Path, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
+fn cap(frame: &Frame, path: &LocalRay, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
     let (segment, u, part) =
         if low { (0, 0.0, frame.base.part) } else { (frame.len - 1, 1.0, frame.top.part) };
     let hit = Hit { t: path.distance(t), segment, u, enters, part: part? };

@@ -1,9 +1,9 @@
 //! A root, followed from ray to ray: the innermost loop.
 
-use super::path::flat;
 use super::sweep::Sweep;
 use crate::math::cold_path;
 use crate::math::minmax::greater;
+use crate::vector::dot_xy;
 use crate::vector::{F32x3, vector};
 
 /// How often Newton's method, or a change of segment, is tried before the ray goes alone.
@@ -84,7 +84,7 @@ impl Sweep<'_> {
                     stop = Stop::Left(if u > 0.5 { 1 } else { usize::MAX });
                     break 'pixels;
                 }
-                if !(steep > certain || self.is_first_by_cubic(u, steep, back, flat(d, d), d.z)) {
+                if !(steep > certain || self.is_first_by_cubic(u, steep, back, dot_xy(d, d), d.z)) {
                     stop = Stop::Uncertain;
                     break 'pixels;
                 }

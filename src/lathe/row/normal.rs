@@ -1,7 +1,7 @@
 //! What a ray sees where it meets the surface.
 
-use super::segment::Segment;
 use super::sweep::Sweep;
+use crate::lathe::segment::Segment;
 use crate::math::rsqrt;
 use crate::vector::{F32x3, Vector, vector};
 

@@ -1,16 +1,16 @@
 //! What the rays of a run of pixels have in common, reckoned once: where they pass the solid, by how much they differ,
 //! and where to begin.
 
-use super::Lathe;
-use super::first::First;
-use super::follow::STEPS;
-use super::glance::ROUNDING;
-use super::path::flat;
-use super::segment::Segment;
+use super::certify::First;
+use super::ray_row::RayRow;
 use super::sweep::Sweep;
+use super::track::STEPS;
+use crate::lathe::Lathe;
+use crate::lathe::frame::ROUNDING;
+use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
-use crate::rays::Rays;
+use crate::vector::dot_xy;
 use crate::vector::{F32x3, cross, dot, one_norm, vector};
 
 /// In units of the frame, where the largest radius is between 1 and 2: what silhouettes are left in doubt.
@@ -23,7 +23,7 @@ impl Lathe {
     /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own; each has its origin rounded by
     /// itself, as a number of the size of `rough` is.
     #[inline(always)]
-    pub(crate) fn sweep(&self, rays: &Rays, unit: f32, rough: f32, (start, end): (u32, u32)) -> Sweep<'_> {
+    pub(crate) fn sweep(&self, rays: &RayRow, unit: f32, rough: f32, (start, end): (u32, u32)) -> Sweep<'_> {
         let lathe = self.view();
         let frame = lathe.frame;
         let (d, d1) = (frame.squashed(rays.direction), frame.squashed(rays.direction_step));
@@ -37,7 +37,7 @@ impl Lathe {
         let square = dot(dc, dc);
         let shift = -dot(oc, dc) / square;
         let (mc, m1) = (oc + dc * shift, o1 + d1 * shift);
-        let run = Rays { origin: mc, origin_step: m1, direction: dc, direction_step: d1 };
+        let run = RayRow { origin: mc, origin_step: m1, direction: dc, direction_step: d1 };
 
         // |M + s·D| ≤ size means |s| ≤ |M·D|/D² + size/|D|. M·D vanishes half way, and D² and q are above their
         // tangents there.
@@ -54,7 +54,7 @@ impl Lathe {
         // So where one of them is within the ball, the one half way is within a larger one, by how far they are apart.
         let near = 1.125 * frame.size + slip + half * (one_norm(m1) + span * one_norm(d1));
         let is_far = dot(mc, mc) > near * near;
-        let q = flat(dc, dc) - 2.0 * half * flat(dc, d1).abs();
+        let q = dot_xy(dc, dc) - 2.0 * half * dot_xy(dc, d1).abs();
         let steep = dc.z.abs() + half * d1.z.abs();
         let drift = m1.z.abs() + span * d1.z.abs();
         // If the eye is beyond the span, the run's ends are no farther apart than twice what the one half way is long.
@@ -95,7 +95,7 @@ impl Lathe {
             is_far,
             is_usable,
             may_follow: is_usable,
-            rays: Rays { origin, direction, ..run },
+            rays: RayRow { origin, direction, ..run },
             shift,
             unit,
             middle,
@@ -132,10 +132,10 @@ impl Lathe {
 /// pixel after it; `drop` is a bound on how F differs. Over n pixels it is n times as much: what differs in x² + y²
 /// are the terms that change their sign with the pixel's number.
 #[inline(always)]
-fn lopsided(run: &Rays, span: f32, drop: f32) -> f32 {
-    let Rays { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *run;
-    let lean = flat(m, d1) + flat(m1, d);
-    4.0 * (flat(m, m1).abs() + span * (lean.abs() + span * flat(d, d1).abs())) + 2.0 * drop
+fn lopsided(run: &RayRow, span: f32, drop: f32) -> f32 {
+    let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *run;
+    let lean = dot_xy(m, d1) + dot_xy(m1, d);
+    4.0 * (dot_xy(m, m1).abs() + span * (lean.abs() + span * dot_xy(d, d1).abs())) + 2.0 * drop
 }
 
 /// The plane of a row's rays.
@@ -150,18 +150,18 @@ impl Plane {
     /// Given the square of the cylinder's radius. At each height the plane holds a line, whose distance from the axis
     /// is as the height from there on.
     #[inline(always)]
-    fn of(run: &Rays, reach: f32) -> Self {
+    fn of(run: &RayRow, reach: f32) -> Self {
         let normal = cross(run.origin_step, run.direction);
         let per_z = 1.0 / normal.z;
-        let slope = Native::sqrt(reach * flat(normal, normal)) * per_z.abs();
+        let slope = Native::sqrt(reach * dot_xy(normal, normal)) * per_z.abs();
         Self { height: dot(normal, run.origin) * per_z, slope }
     }
 }
 
 /// How many pixels from the one half way the ray is, about, that passes nearest to a point.
 #[inline(always)]
-fn towards(run: &Rays, point: F32x3) -> f32 {
-    let Rays { origin, origin_step, direction, direction_step } = *run;
+fn towards(run: &RayRow, point: F32x3) -> f32 {
+    let RayRow { origin, origin_step, direction, direction_step } = *run;
     let there = point - origin;
     let along = dot(there, direction) / dot(direction, direction);
     let step = origin_step + direction_step * along;

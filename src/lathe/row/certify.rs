@@ -15,9 +15,9 @@
 //! root, does not bend the wrong way first and the right way then: that is for the sign of F‴·dz to tell. Where it may, the
 //! slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height, or else the segment's cubic is asked, pixel by pixel.
 
-use super::clear::Crest;
-use super::segment::Segment;
+use super::skip::Crest;
 use super::sweep::Sweep;
+use crate::lathe::segment::Segment;
 use crate::math::minmax::lesser;
 
 /// How a root is known to be the first.

@@ -1,13 +1,13 @@
-use super::path::Path;
-use super::segment::Segment;
+use super::local_ray::LocalRay;
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
+use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
 use crate::solve::{Solver, first_crossing, first_piece};
 
 /// What of a ray lies in one segment's slab, and g along it.
 pub(super) struct Chord<'a> {
-    path: &'a Path,
+    path: &'a LocalRay,
     segment: &'a Segment,
     index: usize,
     /// Where on the path s = 0.
@@ -28,7 +28,7 @@ impl<'a> Chord<'a> {
     /// the coefficients are as small as the solid is there.
     #[inline(always)]
     pub fn new(
-        path: &'a Path,
+        path: &'a LocalRay,
         segment: &'a Segment,
         index: usize,
         [from, to]: [f32; 2],

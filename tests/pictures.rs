@@ -1,8 +1,5 @@
-//! From scenes to pixels: every way to them gives the same ones, and they are where the oracle sees the
-//! solids.
+//! From scenes to pixels: every way to them gives the same ones. Where they are: `laboratory/tests/vase.rs`.
 
-mod cases;
-mod oracle;
 #[path = "../examples/scenes/mod.rs"]
 #[allow(dead_code)]
 mod scenes;
@@ -185,45 +182,6 @@ fn an_error_of_the_display_passes_through() {
         }
     }
     assert_eq!(scenes::VASE_SCENE.draw(&mut Broken), Err("cable"));
-}
-
-/// Whether each pixel shows a solid, where the oracle is sure of it: no hole, no speck.
-#[test]
-fn the_oracle_sees_the_same_vase() {
-    use cases::outline;
-    let vase = outline("vase");
-    let (side, mut sure) = (240, 0);
-    let shape = vase.shape();
-    for (scene, back) in
-        [(&scenes::VASE_SCENE, 0.0_f64), (&scenes::TILTED_SCENE, -core::f64::consts::FRAC_PI_6)]
-    {
-        let display = drawn::<Rgb888>(scene, side, side);
-        let Background::Plain(behind) = scene.background else { panic!("a plain background") };
-        let behind = Rgb888::paint(behind, 0, 0);
-        let mut covered = 0;
-        for (x, y) in (0..side).flat_map(|x| (0..side).map(move |y| (x, y))) {
-            let seen = display.get_pixel(Point::new(x as i32, y as i32)) != behind;
-            covered += u32::from(seen);
-            let ray = scene.camera.ray(x, y, side, side);
-            let turn = |v: [f64; 3]| {
-                [v[0], v[1] * back.cos() - v[2] * back.sin(), v[1] * back.sin() + v[2] * back.cos()]
-            };
-            let origin = ray.origin().to_array().map(f64::from);
-            let towards = ray.at(1.0).to_array().map(f64::from);
-            let direction = std::array::from_fn(|i| towards[i] - origin[i]);
-            let ray = oracle::Ray { origin: turn(origin), direction: turn(direction), t_min: 0.0 };
-            // The direction is what is left of a sum of about 3, and is 3 long before it meets the vase; 4
-            // units for the kernel's own, as for every hit.
-            let bands = oracle::bands(&shape, &ray, (3.0 * 3.0 + 4.0 * 4.0) / 16_777_216.0);
-            if bands.complete {
-                sure += 1;
-                assert_eq!(seen, !bands.sure.is_empty(), "column {x}, row {y}");
-            }
-        }
-        println!("{covered} of {} pixels covered", side * side);
-        assert!(covered > side * side / 3);
-    }
-    assert!(sure > 2 * 240 * 240 - 100, "{sure}");
 }
 
 /// The pictures in the documents are what is drawn now.

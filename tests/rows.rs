@@ -4,15 +4,12 @@
 //! SCENES=20000 cargo test --release --test rows random -- --nocapture       a hundred times as many, in a minute or two
 //! ```
 
-#[macro_use]
-mod backends;
 mod random;
 #[path = "../examples/scenes/mod.rs"]
 #[allow(dead_code)]
 mod scenes;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_lathe::solve::Solver;
 use embedded_lathe::{
     Background, Camera, End, Lathe, Light, Paint, Pose, Profile, Ray, Rgb, Rotation, Scene, Solid,
 };
@@ -124,24 +121,6 @@ fn the_reference_scenes_are_those_of_single_rays() {
         difference.assert_none();
     }
 }
-
-/// Which pixels show the vase: the picture's, and those of single rays by the solver S.
-fn shows_the_vase<S: Solver>() {
-    let side = 240;
-    let scene = Scene { background: BLACK, ..scenes::VASE_SCENE };
-    let picture = scene.picture(side, side);
-    let mut row = vec![Rgb565::BLACK; side as usize];
-    for y in 0..side {
-        picture.row(y, &mut row);
-        for (x, &pixel) in (0..).zip(&row) {
-            let ray = scenes::VASE_SCENE.camera.ray(x, y, side, side);
-            let hit = scenes::VASE.nearest_by::<S>(&ray, 0.0);
-            assert_eq!(hit.is_some(), pixel != Rgb565::BLACK, "column {x}, row {y}: {hit:?}");
-        }
-    }
-}
-
-over_every_backend!(shows_the_vase);
 
 /// As many as `SCENES` says, or two hundred.
 fn number_of_scenes() -> u32 {

@@ -10,7 +10,7 @@ pub fn exit(status: ExitStatus) -> ! {
     }
 }
 
-/// Nothing here panics: `tests/panics.rs` sees that this never gets linked, `bench`'s printing aside.
+/// Nothing here panics: `laboratory/tests/panics.rs` sees that this never gets linked, `bench`'s printing aside.
 #[panic_handler]
 #[inline(never)]
 fn panic(_: &PanicInfo) -> ! {

@@ -1,4 +1,4 @@
-//! Cubics of rays that meet the vase, constant term first. Written by `tests/cubics.rs`.
+//! Cubics of rays that meet the vase, constant term first. Written by `tests/bench_table.rs`.
 
 pub static CUBICS: [[f32; 4]; 226] = [
     [-0.00369938, 0.056278758, -0.054184172, -3.355851e-6],

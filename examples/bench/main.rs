@@ -1,7 +1,7 @@
 //! Instructions of the reference scenes, of rays one by one and of every solver, as CSV.
 //!
 //! ```text
-//! cargo run --release --example bench                                       the host, counted by valgrind: 240×240, Rgb565
+//! cargo run --release --features std --example bench                        the host, counted by valgrind: 240×240, Rgb565
 //! cargo run --release --target thumbv7em-none-eabihf --example bench        an emulated Cortex-M4F: the same
 //! cargo run --release --target thumbv7m-none-eabi    --example bench        Cortex-M3, soft float: 128×64, Gray4
 //! .ci/cycles                          the second, with cycles estimated as well

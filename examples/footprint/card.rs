@@ -1,5 +1,5 @@
 //! The OLED demo with its solids' segments but without its scenes, to subtract: what is left is the library's part,
-//! and what the demo says to it. `tests/footprint.rs`.
+//! and what the demo says to it. `laboratory/tests/footprint.rs`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

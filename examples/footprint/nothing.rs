@@ -1,4 +1,4 @@
-//! The least firmware there is, and the vase's segments, to subtract from the others: `tests/footprint.rs`.
+//! The least firmware there is, and the vase's segments, to subtract from the others: `laboratory/tests/footprint.rs`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

@@ -1,4 +1,4 @@
-//! One ray against one solid, and nothing else of the library: `tests/footprint.rs`.
+//! One ray against one solid, and nothing else of the library: `laboratory/tests/footprint.rs`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

@@ -1,4 +1,4 @@
-//! A scene into rows of pixels, without a display's driver: `tests/footprint.rs`.
+//! A scene into rows of pixels, without a display's driver: `laboratory/tests/footprint.rs`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

@@ -1,4 +1,4 @@
-//! What the panel shows: the firmware draws it there, `tests/panel.rs` on the host, and both must agree.
+//! What the panel shows: the firmware draws it there, `laboratory/tests/panel.rs` on the host, and both must agree.
 
 use crate::{card::card, scenes};
 use core::f32::consts::TAU;

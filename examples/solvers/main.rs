@@ -8,13 +8,13 @@
 #[path = "../bare/mod.rs"]
 mod bare;
 #[cfg(target_os = "none")]
-#[path = "../../tests/laboratory/contenders/mod.rs"]
+#[path = "../../laboratory/src/contenders/mod.rs"]
 #[allow(dead_code, unused_imports)]
 mod contenders;
 #[cfg(target_os = "none")]
 mod firmware;
 #[cfg(target_os = "none")]
-#[path = "../../tests/laboratory/workload.rs"]
+#[path = "../../laboratory/src/workload.rs"]
 mod workload;
 
 #[cfg(not(target_os = "none"))]

@@ -1,17 +1,10 @@
 //! Any ray at any valid open profile: the nearest hit is within four times the promised displacement of the
 //! exact truth, if the squared radius may be off by as many units of the largest ordinate: near the axis that
-//! is a large displacement (tests/stability/touching.rs).
+//! is a large displacement (laboratory/tests/stability/touching.rs).
 #![no_main]
 
-#[path = "../../tests/cases/mod.rs"]
-mod cases;
-#[path = "../../tests/laboratory/mod.rs"]
-mod laboratory;
-#[path = "../../tests/oracle/mod.rs"]
-mod oracle;
-
 use arbitrary::Arbitrary;
-use cases::{Cast, Outline};
+use laboratory::cases::{Cast, Outline};
 use embedded_lathe::{
     Profile, Ray, math,
     solve::{Cardano, Split},

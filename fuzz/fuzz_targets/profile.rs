@@ -2,13 +2,6 @@
 //! numbers.
 #![no_main]
 
-#[path = "../../tests/cases/mod.rs"]
-mod cases;
-#[path = "../../tests/laboratory/mod.rs"]
-mod laboratory;
-#[path = "../../tests/oracle/mod.rs"]
-mod oracle;
-
 use arbitrary::Arbitrary;
 use embedded_lathe::{Lathe, Profile, ProfileError, Ray};
 use laboratory::exact::{Exact, Polynomial, exact, float};

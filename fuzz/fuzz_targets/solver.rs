@@ -1,13 +1,6 @@
 //! Any cubic on any interval: every shipped solver's answer is within the promised backward error of the exact truth.
 #![no_main]
 
-#[path = "../../tests/cases/mod.rs"]
-mod cases;
-#[path = "../../tests/laboratory/mod.rs"]
-mod laboratory;
-#[path = "../../tests/oracle/mod.rs"]
-mod oracle;
-
 use embedded_lathe::{Cubic, solve::BACKWARD_ERROR};
 use laboratory::contenders::{EVERYWHERE, HOST};
 use laboratory::judge::Truth;

@@ -1,0 +1,86 @@
+//! Seeded inputs for the tests: outlines and rays as plain f32 numbers, each ray reproducible alone.
+//!
+//! `case(&outline(name), family, seed, index)` makes the same ray every time; a [`Case`] prints all it is made of.
+
+mod family;
+mod outline;
+mod place;
+
+pub use family::Family;
+pub use outline::{Outline, outline, outlines};
+
+use crate::oracle;
+use place::Place;
+use rand::SeedableRng;
+use rand::rngs::ChaCha8Rng;
+use std::fmt;
+
+/// t in units of the direction as given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cast {
+    pub origin: [f32; 3],
+    pub direction: [f32; 3],
+    pub t_min: f32,
+}
+
+impl Cast {
+    pub fn ray(&self) -> oracle::Ray {
+        oracle::Ray {
+            origin: self.origin.map(f64::from),
+            direction: self.direction.map(f64::from),
+            t_min: self.t_min.into(),
+        }
+    }
+
+    /// `|c| / |D|`, the sine of the ray's angle to the horizontal.
+    pub fn steepness(&self) -> f64 {
+        let [a, b, c] = self.direction.map(f64::from);
+        c.abs() / (a * a + b * b + c * c).sqrt()
+    }
+}
+
+/// One ray at one outline, and how to make it again.
+#[derive(Clone, Copy)]
+pub struct Case<'a> {
+    pub outline: &'a Outline,
+    pub family: Family,
+    pub seed: u64,
+    pub index: u64,
+    pub cast: Cast,
+}
+
+impl Case<'_> {
+    pub fn ray(&self) -> oracle::Ray {
+        self.cast.ray()
+    }
+
+    /// What f32 may lose: `units` of 2⁻²⁴ of the solid's size plus the origin's distance from its middle.
+    pub fn eps(&self, units: f64) -> f64 {
+        let [x, y, z] = self.cast.origin.map(f64::from);
+        let distance = x.hypot(y).hypot(z - self.outline.middle());
+        units * (-24_f64).exp2() * (self.outline.size() + distance)
+    }
+}
+
+impl fmt::Display for Case<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "case(&outline({:?}), Family::{:?}, {}, {})",
+            self.outline.name, self.family, self.seed, self.index
+        )?;
+        writeln!(f, "  {:?}", self.cast)?;
+        write!(f, "  {:?}", self.outline)
+    }
+}
+
+pub fn case(outline: &Outline, family: Family, seed: u64, index: u64) -> Case<'_> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    rng.set_stream(index);
+    let cast = family.cast(&mut Place::new(outline, rng));
+    Case { outline, family, seed, index, cast }
+}
+
+pub fn cases(outline: &Outline, family: Family, seed: u64, count: u64) -> impl Iterator<Item = Case<'_>> {
+    (0..count).map(move |index| case(outline, family, seed, index))
+}

@@ -1,0 +1,53 @@
+//! The laboratory: methods side by side on the same f32 inputs, judged by exact arithmetic.
+//!
+//! ```text
+//! contenders ─┐
+//! peers ──────┼─► answers ─┐
+//! families ───┴─► truth ───┴─► judge ─► table, chart, atlas
+//! rays, forms ───► hits ───────► judge ─► table, atlas
+//! ```
+//!
+//! - [`exact`]: dyadic numbers without rounding, polynomials in them, certified signs and roots.
+//! - [`families`]: cubics on which methods fail, and rays that make such cubics.
+//! - [`judge`]: the backward error of an answer.
+//! - [`contenders`] (f32, also for firmware), [`peers`] (f64, by others), [`forms`] (whole intersections).
+//!
+//! `laboratory/tests/stability` asserts on a share of it, `laboratory/examples/laboratory` writes all of it to `docs/`.
+
+// Firmware has no use for it; a build of the whole workspace for a board finds it empty.
+#![cfg_attr(target_os = "none", no_std)]
+#![cfg(not(target_os = "none"))]
+
+mod backends;
+pub mod cases;
+pub mod contenders;
+pub mod exact;
+pub mod families;
+pub mod firmware;
+pub mod forms;
+pub mod hits;
+pub mod judge;
+pub mod lathes;
+pub mod oracle;
+pub mod peers;
+/// The reference scenes, which the examples draw.
+#[path = "../../examples/scenes/mod.rs"]
+pub mod scenes;
+pub mod sextic;
+pub mod tally;
+pub mod troubles;
+pub mod workload;
+
+/// What no change of the coefficients below so many units of 2⁻²⁴ explains is called wrong, whoever says it.
+pub const WRONG: f64 = 64.0;
+
+/// What no displacement below so many units of 2⁻²⁴·(size + distance) explains is a wrong intersection.
+pub const DISPLACEMENT: f64 = 16.0;
+
+/// What the crate's own intersections promise: a quarter of that.
+pub const PROMISE: f64 = 4.0;
+
+/// By how many units of `2⁻²⁴·Σ bⱼ·Bⱼ(u)`, magnitudes, the squared radius may be off where it touches zero
+/// inside a segment, one for each of the three interpolations that it is found by
+/// (`laboratory/tests/stability/touching.rs`).
+pub const TOUCHING: f64 = 3.0;

@@ -1,0 +1,174 @@
+//! The emulated board's panel shows what the host draws, pixel for pixel: soft float, hard float and host alike.
+//!
+//! ```text
+//! cargo test --test panel -- --ignored --skip write       needs qemu-system-arm and the two targets
+//! cargo test --test panel -- --ignored write       docs/panel.png, as the Cortex-M3's panel shows it
+//! ```
+
+#[path = "../../examples/oled/card.rs"]
+mod card;
+#[path = "../../examples/oled/show.rs"]
+mod show;
+
+use embedded_graphics::{pixelcolor::Gray4, prelude::*, primitives::Rectangle};
+use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
+use laboratory::{firmware, scenes};
+use std::{
+    convert::Infallible,
+    env, fs,
+    io::{BufRead, BufReader, Write},
+    path::Path,
+    process::{Command, Stdio},
+};
+
+/// Frames compared, of each scene.
+const FRAMES: [u32; 3] = [0, 1, 7];
+
+type Pixels = [[u8; 128]; 64];
+
+/// The plainest display there can be.
+struct Canvas(Pixels);
+
+impl OriginDimensions for Canvas {
+    fn size(&self) -> Size {
+        Size::new(128, 64)
+    }
+}
+
+impl DrawTarget for Canvas {
+    type Color = Gray4;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Gray4>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(at, color) in pixels {
+            if self.bounding_box().contains(at) {
+                self.0[at.y as usize][at.x as usize] = color.luma();
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What the host draws, up to frame `last` as the firmware does.
+fn drawn(scene: &[u8], last: u32) -> Pixels {
+    let mut canvas = Canvas([[0; 128]; 64]);
+    for n in 0..=last {
+        show::draw(scene, n, &mut canvas).expect("the scene is there");
+    }
+    canvas.0
+}
+
+/// What the board's panel shows: the firmware says when it has drawn, then QEMU's monitor saves the picture.
+fn shown(target: &str, elf: &Path, scene: &str, last: u32) -> Pixels {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let picture = format!("{scene}-{last}-{target}.ppm");
+    let cpu = if target == firmware::M3 { "cortex-m3" } else { "cortex-m4" };
+    let mut qemu = Command::new("qemu-system-arm")
+        .current_dir(directory)
+        .args([
+            "-machine",
+            "lm3s6965evb",
+            "-cpu",
+            cpu,
+            "-display",
+            "none",
+            "-serial",
+            "none",
+            "-monitor",
+            "stdio",
+        ])
+        .arg("-semihosting-config")
+        .arg(format!("enable=on,target=native,arg=oled,arg={scene},arg={last}"))
+        .arg("-kernel")
+        .arg(elf)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("qemu-system-arm starts");
+
+    let mut lines = BufReader::new(qemu.stdout.take().unwrap()).lines().map_while(Result::ok);
+    assert!(lines.any(|line| line.ends_with("drawn")), "the firmware draws {scene} {last}");
+    write!(qemu.stdin.take().unwrap(), "screendump {picture}\nquit\n").unwrap();
+    lines.for_each(drop);
+    assert!(qemu.wait().unwrap().success());
+    read(&directory.join(picture))
+}
+
+/// A binary PPM of the panel, where each pixel is four by four and each gray times 17.
+fn read(ppm: &Path) -> Pixels {
+    let bytes = fs::read(ppm).unwrap();
+    let rgb = bytes.strip_prefix(b"P6\n512 256\n255\n").expect("a picture of the panel's size");
+    let at = |x: usize, y: usize| &rgb[3 * (y * 512 + x)..][..3];
+    for y in 0..256 {
+        for x in 0..512 {
+            assert_eq!(at(x, y), [at(x & !3, y & !3)[0]; 3], "gray, and the same all over its pixel");
+        }
+    }
+    std::array::from_fn(|y| std::array::from_fn(|x| at(4 * x, 4 * y)[0] / 17))
+}
+
+/// The first pixel that differs.
+fn difference(a: &Pixels, b: &Pixels) -> Option<(usize, usize)> {
+    (0..64 * 128).map(|i| (i % 128, i / 128)).find(|&(x, y)| a[y][x] != b[y][x])
+}
+
+fn compare(target: &str) {
+    let elf = firmware::build(target, "oled", firmware::SMALL, &[]);
+    for scene in show::NAMES {
+        let mut earlier: Option<Pixels> = None;
+        for n in FRAMES {
+            let ours = drawn(scene, n);
+            let scene = str::from_utf8(scene).unwrap();
+            let theirs = shown(target, &elf, scene, n);
+            if let Some((x, y)) = difference(&ours, &theirs) {
+                panic!(
+                    "{scene} {n} on {target}: pixel ({x}, {y}) is {}, drawn as {}",
+                    theirs[y][x], ours[y][x]
+                );
+            }
+            assert!(earlier.is_none_or(|e| difference(&e, &ours).is_some()), "{scene} turns");
+            earlier = Some(ours);
+        }
+    }
+}
+
+#[test]
+#[ignore = "needs qemu-system-arm and a target"]
+fn cortex_m3_draws_as_the_host() {
+    compare(firmware::M3);
+}
+
+#[test]
+#[ignore = "needs qemu-system-arm and a target"]
+fn cortex_m4f_draws_as_the_host() {
+    compare(firmware::M4F);
+}
+
+#[test]
+fn one_differing_pixel_is_found() {
+    let ours = drawn(b"vase", 1);
+    let mut theirs = ours;
+    theirs[63][127] ^= 1;
+    assert_eq!(difference(&ours, &ours), None);
+    assert_eq!(difference(&ours, &theirs), Some((127, 63)));
+}
+
+/// Three frames of each scene, each pixel four by four.
+#[test]
+#[ignore = "writes docs/panel.png"]
+fn write() {
+    let elf = firmware::build(firmware::M3, "oled", firmware::SMALL, &[]);
+    let mut sheet = SimulatorDisplay::<Gray4>::new(Size::new(3 * 132 - 4, 2 * 68 - 4));
+    sheet.clear(Gray4::WHITE).unwrap();
+    for (row, scene) in ["vase", "pawn"].iter().enumerate() {
+        for (column, n) in [1, 10, 17].into_iter().enumerate() {
+            let pixels = shown(firmware::M3, &elf, scene, n);
+            let at = Rectangle::new(Point::new(132 * column as i32, 68 * row as i32), Size::new(128, 64));
+            sheet.fill_contiguous(&at, pixels.into_iter().flatten().map(Gray4::new)).unwrap();
+        }
+    }
+    let scaled = OutputSettingsBuilder::new().scale(4).build();
+    let docs = Path::new(firmware::ROOT).join("docs");
+    fs::create_dir_all(&docs).unwrap();
+    sheet.to_grayscale_output_image(&scaled).save_png(docs.join("panel.png")).unwrap();
+}

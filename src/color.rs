@@ -1,6 +1,6 @@
 //! Colors as the renderer reckons with them.
 
-use crate::math::{minmax::lesser, whole};
+use crate::math::minmax::lesser;
 
 /// A color as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
 /// gamma-corrected.
@@ -157,12 +157,6 @@ impl Share {
     #[inline(always)]
     pub const fn new(units: f32) -> Self {
         Self(units as u32)
-    }
-
-    /// The same, as wide registers do it for several at once.
-    #[inline(always)]
-    pub fn wide(units: f32) -> Self {
-        Self(whole(units))
     }
 
     pub const fn of_one(x: f32) -> Self {

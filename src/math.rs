@@ -22,7 +22,6 @@ mod native;
 mod rsqrt;
 #[cfg(feature = "std")]
 mod std;
-mod whole;
 
 pub(crate) use self::cold_path::cold_path;
 pub use self::libm::Libm;
@@ -31,7 +30,6 @@ pub use self::native::Native;
 pub(crate) use self::rsqrt::rsqrt;
 #[cfg(feature = "std")]
 pub use self::std::Std;
-pub(crate) use self::whole::whole;
 
 /// The unit roundoff of f32, 2⁻²⁴: an addition, multiplication, division or correctly rounded root is off by at most
 /// this, relative to its exact result.

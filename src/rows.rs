@@ -1,8 +1,6 @@
 //! From a scene to rows of pixels: as many as the caller asks for, where the caller wants them. Nothing else
 //! is kept.
 
-mod wide;
-
 use crate::camera::Row;
 use crate::color::Paint;
 use crate::lathe::{Seen, Stop};
@@ -231,19 +229,10 @@ impl<C: Paint> Canvas<'_, C> {
         }
     }
 
-    /// What the rays from i up to `to` see that meet the root followed.
-    #[inline(always)]
-    fn follow(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
-        if wide::IS_WIDE && self.finish.is_matt() {
-            self.follow_several(along, i, to)
-        } else {
-            self.follow_each(along, i, to)
-        }
-    }
-
-    /// One pixel after another. Not in line: the registers that it keeps on the stack are not needed where rays go alone.
+    /// What the rays from i up to `to` see that meet the root followed. Not in line: the registers that it keeps on the
+    /// stack are not needed where rays go alone.
     #[inline(never)]
-    fn follow_each(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
+    fn follow(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
         let Self { x, y, ref finish, mirrored, ref mut run, .. } = *self;
         let mut at = (along.column(i) - x) as usize;
         let step = if along.is_turned() { usize::MAX } else { 1 };

@@ -12,4 +12,4 @@ mod track;
 pub(crate) use normal::{Seen, Wall};
 pub(crate) use ray_row::RayRow;
 pub(crate) use sweep::Sweep;
-pub(crate) use track::{FRESH, Stop};
+pub(crate) use track::Stop;

@@ -10,7 +10,7 @@ use crate::vector::{F32x3, vector};
 pub(super) const STEPS: u32 = 4;
 
 /// For how many pixels rays may be added up, and so how many are followed in one go.
-pub(crate) const FRESH: u32 = 64;
+pub(super) const FRESH: u32 = 64;
 
 /// Why a root is followed no farther.
 pub(crate) enum Stop {

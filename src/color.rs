@@ -222,7 +222,17 @@ pub enum Background {
     },
 }
 
+impl Default for Background {
+    /// Black.
+    fn default() -> Self {
+        Self::BLACK
+    }
+}
+
 impl Background {
+    /// Black.
+    pub const BLACK: Self = Self::Plain(Rgb::BLACK);
+
     /// The color of a row, of so many.
     #[inline(always)]
     pub(crate) fn row(&self, y: u32, rows: u32) -> Rgb {

@@ -40,12 +40,11 @@ impl Scene<'_> {
     /// use embedded_lathe::*;
     ///
     /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
-    /// static SCENE: Scene = Scene {
-    ///     solids: &[Solid::new(&BALL, Rgb::WHITE)],
-    ///     camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
-    ///     light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
-    ///     background: Background::Plain(Rgb::BLACK),
-    /// };
+    /// static SCENE: Scene = Scene::new(
+    ///     &[Solid::new(&BALL, Rgb::WHITE)],
+    ///     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+    ///     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+    /// );
     ///
     /// let mut display = MockDisplay::<Rgb565>::new();
     /// SCENE.draw_by_rows(&mut display, &mut [Rgb565::BLACK; 64])?;
@@ -88,12 +87,11 @@ impl<'a> Picture<'a> {
     /// use embedded_lathe::*;
     ///
     /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
-    /// static SCENE: Scene = Scene {
-    ///     solids: &[Solid::new(&BALL, Rgb::WHITE)],
-    ///     camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
-    ///     light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
-    ///     background: Background::Plain(Rgb::BLACK),
-    /// };
+    /// static SCENE: Scene = Scene::new(
+    ///     &[Solid::new(&BALL, Rgb::WHITE)],
+    ///     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+    ///     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+    /// );
     ///
     /// let mut display = MockDisplay::<Gray4>::new();
     /// let ball = SCENE.picture(32, 32).image::<Gray4>();

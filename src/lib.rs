@@ -24,12 +24,11 @@
 //!     ))
 //!     .base(End::Capped),
 //! );
-//! static SCENE: Scene = Scene {
-//!     solids: &[Solid::new(&VASE, Rgb::new(0.85, 0.45, 0.3))],
-//!     camera: valid!(Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 0.3)),
-//!     light: valid!(Light::new([-0.5, -0.7, 0.5], 0.15)),
-//!     background: Background::Plain(Rgb::BLACK),
-//! };
+//! static SCENE: Scene = Scene::new(
+//!     &[Solid::new(&VASE, Rgb::new(0.85, 0.45, 0.3))],
+//!     valid!(Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 0.3)),
+//!     valid!(Light::new([-0.5, -0.7, 0.5], 0.15)),
+//! );
 //!
 //! let mut display = MockDisplay::<Gray4>::new(); // or any DrawTarget
 //! SCENE.draw(&mut display)?;

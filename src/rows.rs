@@ -19,12 +19,11 @@ pub(crate) const RUN: usize = 40;
 /// use embedded_lathe::*;
 ///
 /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
-/// static SCENE: Scene = Scene {
-///     solids: &[Solid::new(&BALL, Rgb::WHITE)],
-///     camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
-///     light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
-///     background: Background::Plain(Rgb::BLACK),
-/// };
+/// static SCENE: Scene = Scene::new(
+///     &[Solid::new(&BALL, Rgb::WHITE)],
+///     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+///     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+/// );
 ///
 /// let picture = SCENE.picture(240, 240);
 /// let mut row = [Rgb565::default(); 240];

@@ -1,4 +1,4 @@
-//! What there is to see.
+//! What a picture shows: solids, and the camera, light and background they are seen with.
 
 use crate::camera::Camera;
 use crate::color::Background;
@@ -13,29 +13,110 @@ use crate::solid::Solid;
 /// use embedded_lathe::*;
 ///
 /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
-/// static SCENE: Scene = Scene {
-///     solids: &[Solid::new(&BALL, Rgb::WHITE)],
-///     camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
-///     light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
-///     background: Background::Plain(Rgb::BLACK),
-/// };
+/// static SCENE: Scene = Scene::new(
+///     &[Solid::new(&BALL, Rgb::WHITE)],
+///     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+///     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+/// );
 ///
 /// let mut display = MockDisplay::<Gray4>::new();
 /// SCENE.draw(&mut display)?;
 /// assert_eq!(display.get_pixel((0, 0).into()), Some(Gray4::new(0)));
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+///
+/// # Animation
+///
+/// Segments, and all that does not move, stay in flash. The solids that move are copied into an array, some 80
+/// bytes each, and changed between two frames, and so are the scene's own fields. [`Scene::with_solids`] puts the two
+/// together for one frame: it copies the camera and the light, and borrows the array.
+///
+/// ```
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::pixelcolor::Gray4;
+/// use embedded_lathe::*;
+///
+/// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(0.3)));
+/// static SCENE: Scene = Scene::new(
+///     &[Solid::new(&BALL, Rgb::WHITE), Solid::new(&BALL, Rgb::gray(0.3))],
+///     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+///     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+/// );
+///
+/// let mut scene = SCENE;
+/// let mut solids = [scene.solids[0], scene.solids[1]];
+/// for frame in 0..10 {
+///     // Numbers that are computed at run time may be wrong: then a constructor returns an error.
+///     let angle = 0.6 * frame as f32;
+///     let pose = Pose::new([0.5 * angle.cos(), 0.5 * angle.sin(), 0.0], Rotation::IDENTITY, 1.0)?;
+///     solids[0] = solids[0].posed(pose).colored(Rgb::gray(0.5 + 0.05 * frame as f32));
+///     let eye = [0.0, -5.0, 0.1 * frame as f32];
+///     scene.camera = Camera::orthographic(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.2)?;
+///
+///     let mut display = MockDisplay::<Gray4>::new();
+///     let Ok(()) = scene.with_solids(&solids).draw(&mut display);
+/// }
+/// # Ok::<(), SceneError>(())
+/// ```
+///
+/// # More to come
+///
+/// A scene is made by [`Scene::new`], not as a literal: later versions add fields, which `new` sets to what was drawn
+/// before there were any.
+///
+/// ```compile_fail,E0639
+/// # use embedded_lathe::*;
+/// fn literal<'a>(solids: &'a [Solid<'a>], camera: Camera, light: Light) -> Scene<'a> {
+///     Scene { solids, camera, light, background: Background::default() }
+/// }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct Scene<'a> {
-    /// What is seen, in any order. Of two at the same distance, the first; where one only touches the other, either.
+    /// The solids, in any order. Where two of them are at the same distance, the first in the slice is seen; where one
+    /// only touches the other, either.
     ///
-    /// Solids that a plane parts cost what each costs alone. Of two that none parts, one goes ray by ray.
+    /// Solids between which a separating plane is found cost what each costs alone. Where none is found, the pixels of
+    /// one of the two are found by casting a ray for each pixel, which costs several times as much.
     pub solids: &'a [Solid<'a>],
-    /// From where.
+    /// The camera that sees them.
     pub camera: Camera,
-    /// In what light.
+    /// The light that falls on them.
     pub light: Light,
-    /// Before what.
+    /// What is seen where no solid is.
     pub background: Background,
+}
+
+impl<'a> Scene<'a> {
+    /// A scene before a black background.
+    #[must_use]
+    pub const fn new(solids: &'a [Solid<'a>], camera: Camera, light: Light) -> Self {
+        Self { solids, camera, light, background: Background::BLACK }
+    }
+
+    /// This scene with other solids.
+    #[must_use]
+    pub const fn with_solids<'b>(self, solids: &'b [Solid<'b>]) -> Scene<'b> {
+        let Self { camera, light, background, .. } = self;
+        Scene { solids, camera, light, background }
+    }
+
+    /// This scene seen by another camera.
+    #[must_use]
+    pub const fn with_camera(self, camera: Camera) -> Self {
+        Self { camera, ..self }
+    }
+
+    /// This scene in another light.
+    #[must_use]
+    pub const fn with_light(self, light: Light) -> Self {
+        Self { light, ..self }
+    }
+
+    /// This scene before another background.
+    #[must_use]
+    pub const fn with_background(self, background: Background) -> Self {
+        Self { background, ..self }
+    }
 }

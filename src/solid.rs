@@ -23,7 +23,7 @@ use core::ptr;
 ///     .posed(valid!(Pose::new([0.0, 0.0, 1.0], Rotation::IDENTITY, 0.5)))
 ///     .shiny(20);
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid<'a> {
     lathe: &'a Lathe,
     pose: Pose,
@@ -38,13 +38,45 @@ impl<'a> Solid<'a> {
     }
 
     /// The same in another pose.
+    #[must_use]
     pub const fn posed(self, pose: Pose) -> Self {
         Self { pose, ..self }
     }
 
+    /// The same in another color.
+    #[must_use]
+    pub const fn colored(self, color: Rgb) -> Self {
+        Self { color, ..self }
+    }
+
     /// The same with a highlight: the exponent of Phong's model, wide at 5, narrow at 100. Zero is matt.
+    #[must_use]
     pub const fn shiny(self, exponent: u8) -> Self {
         Self { shininess: exponent, ..self }
+    }
+
+    /// What is turned.
+    #[must_use]
+    pub const fn lathe(&self) -> &'a Lathe {
+        self.lathe
+    }
+
+    /// Where it stands, how it is turned, and how large it is.
+    #[must_use]
+    pub const fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    /// Its color.
+    #[must_use]
+    pub const fn color(&self) -> Rgb {
+        self.color
+    }
+
+    /// The exponent of its highlight, or zero if it is matt.
+    #[must_use]
+    pub const fn shininess(&self) -> u8 {
+        self.shininess
     }
 
     /// The nearest crossing of a ray of the world beyond `t_min`, as [`Lathe::nearest`].

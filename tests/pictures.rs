@@ -11,8 +11,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use embedded_lathe::{
-    Background, Camera, Lathe, Light, Paint, Pose, Profile, Rgb, Rotation, Scene, SceneError, Segment, Solid,
-    valid,
+    Camera, Lathe, Light, Paint, Pose, Profile, Rgb, Rotation, Scene, SceneError, Segment, Solid, valid,
 };
 
 fn drawn<C: PixelColor + Paint + From<BinaryColor>>(
@@ -213,12 +212,12 @@ fn the_readme_begins_with_the_vase_that_it_shows() {
 #[test]
 fn a_ball_in_sixteen_greys() {
     static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
-    let scene = Scene {
-        solids: &[Solid::new(&BALL, Rgb::WHITE)],
-        camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.1)),
-        light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
-        background: Background::Plain(Rgb::BLACK),
-    };
+    let solids = [Solid::new(&BALL, Rgb::WHITE)];
+    let scene = Scene::new(
+        &solids,
+        valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.1)),
+        valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+    );
     let mut display = MockDisplay::<Gray4>::new();
     let ball = scene.picture(16, 16).image::<Gray4>();
     ball.draw(&mut display).unwrap();
@@ -268,15 +267,15 @@ fn few_shades_are_dithered() {
 #[test]
 fn gloss_only_brightens() {
     static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
-    let ball = Scene {
-        solids: &[Solid::new(&BALL, Rgb::WHITE).shiny(5)],
-        camera: valid!(Camera::perspective([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 0.3)),
-        light: valid!(Light::new([0.0, -1.0, 0.3], 1.0)),
-        background: Background::Plain(Rgb::BLACK),
-    };
+    let solids = [Solid::new(&BALL, Rgb::WHITE).shiny(5)];
+    let ball = Scene::new(
+        &solids,
+        valid!(Camera::perspective([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 0.3)),
+        valid!(Light::new([0.0, -1.0, 0.3], 1.0)),
+    );
     for scene in [&scenes::BOWL_SCENE, &scenes::STILL_LIFE, &ball] {
         let matt: Vec<_> = scene.solids.iter().map(|solid| solid.shiny(0)).collect();
-        let matt = rows(&Scene { solids: &matt, ..*scene }, 60, 60, &[60], Rgb888::BLACK);
+        let matt = rows(&scene.with_solids(&matt), 60, 60, &[60], Rgb888::BLACK);
         let shiny = rows(scene, 60, 60, &[60], Rgb888::BLACK);
         let channels = |pixel: &Rgb888| [pixel.r(), pixel.g(), pixel.b()];
         let pairs = || matt.iter().flat_map(channels).zip(shiny.iter().flat_map(channels));
@@ -292,12 +291,11 @@ fn the_nearer_solid_hides_the_farther_whatever_their_order() {
     let far = valid!(Pose::new([0.4, 4.0, 0.0], Rotation::IDENTITY, 2.0));
     let green = Solid::new(&BALL, Rgb::new(0.0, 1.0, 0.0)).posed(far);
     fn scene<'a>(solids: &'a [Solid<'a>]) -> Scene<'a> {
-        Scene {
+        Scene::new(
             solids,
-            camera: valid!(Camera::perspective([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 0.5)),
-            light: valid!(Light::new([0.0, -1.0, 0.0], 0.2)),
-            background: Background::Plain(Rgb::BLACK),
-        }
+            valid!(Camera::perspective([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 0.5)),
+            valid!(Light::new([0.0, -1.0, 0.0], 0.2)),
+        )
     }
     let one = drawn::<Rgb888>(&scene(&[red, green]), 40, 40);
     assert!(one == drawn::<Rgb888>(&scene(&[green, red]), 40, 40));
@@ -365,12 +363,12 @@ mod both_preludes {
                 let mut display = MockDisplay::<Gray4>::new();
                 let style = PrimitiveStyle::with_stroke(Gray4::WHITE, 1);
                 Line::new(Point::zero(), Point::new(9, 0)).into_styled(style).draw(&mut display).unwrap();
-                let scene = Scene {
-                    solids: &[],
-                    camera: valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
-                    light: valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
-                    background: Background::Plain(Rgb::WHITE),
-                };
+                let scene = Scene::new(
+                    &[],
+                    valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+                    valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+                )
+                .with_background(Background::Plain(Rgb::WHITE));
                 let image = scene.picture(4, 4).image::<Gray4>();
                 Image::new(&image, Point::new(0, 10)).draw(&mut display).unwrap();
                 for place in [Point::new(9, 0), Point::new(3, 13)] {

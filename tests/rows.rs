@@ -115,7 +115,7 @@ fn the_reference_scenes_are_those_of_single_rays() {
             "pawns" => &[board, light, light, light, dark, dark, dark],
             _ => &colors,
         };
-        let scene = Scene { solids: &matt, background: BLACK, ..*scene };
+        let scene = scene.with_solids(&matt).with_background(BLACK);
         let mut difference = Difference::default();
         difference.add(&Known { scene, colors, towards, ambient }, 240, name);
         difference.assert_none();
@@ -138,12 +138,11 @@ fn random_scenes(side: u32, camera: impl Fn(&mut ChaCha8Rng) -> Camera) {
         let colors = [Rgb::WHITE, Rgb::new(0.9, 0.5, 0.3)];
         let solids = [Solid::new(&lathes[0], colors[0]), Solid::new(&lathes[1], colors[1]).posed(away)];
         let towards = [even(&mut rng, -1.0, 1.0), -1.0, 0.5];
-        let scene = Scene {
-            solids: &solids[..rng.random_range(1..=2)],
-            camera: camera(&mut rng),
-            light: Light::new(towards, 0.2).unwrap(),
-            background: BLACK,
-        };
+        let scene = Scene::new(
+            &solids[..rng.random_range(1..=2)],
+            camera(&mut rng),
+            Light::new(towards, 0.2).unwrap(),
+        );
         difference.add(
             &Known { scene, colors: &colors, towards, ambient: 0.2 },
             side,
@@ -194,7 +193,7 @@ fn solids_apart_are_those_of_single_rays() {
         let camera = if rng.random() { random_camera(&mut rng) } else { upright_camera(&mut rng) };
         let (towards, ambient) = ([even(&mut rng, -1.0, 1.0), -1.0, 0.5], 0.2);
         let light = Light::new(towards, ambient).unwrap();
-        let scene = Scene { solids: &solids, camera, light, background: BLACK };
+        let scene = Scene::new(&solids, camera, light);
         let known = Known { scene, colors: &colors, towards, ambient };
         difference.add(&known, 60, &format!("scene {number}"));
     }
@@ -212,7 +211,7 @@ fn the_first_of_two_in_one_place_is_seen() {
         let colors = [Rgb::new(0.0, 1.0, 0.0), Rgb::new(1.0, 0.0, 0.0)];
         let solids = colors.map(|color| Solid::new(&lathe, color));
         let light = Light::new([0.0, -1.0, 0.5], 1.0).unwrap();
-        let scene = Scene { solids: &solids, camera: random_camera(&mut rng), light, background: BLACK };
+        let scene = Scene::new(&solids, random_camera(&mut rng), light);
         for y in 0..60 {
             scene.picture(60, 60).row(y, &mut row);
             let first = row.iter().filter(|pixel| **pixel == Rgb565::GREEN).count();
@@ -236,7 +235,7 @@ fn all_of_three_as_far_away_are_seen() {
     let solids = [ball(left), ball(right), ball([0.0, (left[0] * left[0] + left[1] * left[1]).sqrt(), 0.0])];
     let camera = Camera::perspective([0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], 0.6).unwrap();
     let light = Light::new([0.0, -1.0, 0.0], 0.5).unwrap();
-    let scene = Scene { solids: &solids, camera, light, background: BLACK };
+    let scene = Scene::new(&solids, camera, light);
     let mut row = [Rgb565::BLACK; 240];
     scene.picture(240, 3).row(1, &mut row);
     let edges = row.windows(2).filter(|pair| (pair[0] == Rgb565::BLACK) != (pair[1] == Rgb565::BLACK));
@@ -269,7 +268,7 @@ fn what_is_within_another_solid_is_hidden() {
     ];
     let light = Light::new([0.3, -1.0, 0.5], 0.5).unwrap();
     for (number, (solids, camera)) in views.into_iter().enumerate() {
-        let scene = Scene { solids: &solids, camera: camera.unwrap(), light, background: BLACK };
+        let scene = Scene::new(&solids, camera.unwrap(), light);
         let mut row = [Rgb565::BLACK; 60];
         let mut seen = 0;
         for y in 0..60 {
@@ -294,7 +293,7 @@ fn one_almost_within_another_is_hidden() {
         let (towards, ambient) = ([0.3, -1.0, 0.5], 0.5);
         let camera = Camera::perspective([4.5, -0.1, 2.2], [0.0; 3], [0.0, 0.0, 1.0], 0.4).unwrap();
         let light = Light::new(towards, ambient).unwrap();
-        let scene = Scene { solids: &solids, camera, light, background: BLACK };
+        let scene = Scene::new(&solids, camera, light);
         let mut difference = Difference::default();
         difference.add(&Known { scene, colors: &colors, towards, ambient }, 60, &format!("{near:e} apart"));
         difference.assert_none();
@@ -314,7 +313,7 @@ fn a_world_of_any_size_looks_the_same() {
         ];
         let up = [0.0, 0.0, 1.0];
         let camera = Camera::perspective(at(0.0, -2.6, 1.2), at(0.0, 0.0, 0.4), up, 0.42).unwrap();
-        let scene = Scene { solids: &solids, camera, ..scenes::STILL_LIFE };
+        let scene = scenes::STILL_LIFE.with_solids(&solids).with_camera(camera);
         let mut row = [Rgb565::BLACK; 120];
         let rows = (0..120).flat_map(|y| {
             scene.picture(120, 120).row(y, &mut row);
@@ -354,7 +353,7 @@ fn compare_lone(difference: &mut Difference, solid: Solid, camera: Camera, side:
     let (towards, ambient) = ([-0.5, -0.7, 0.5], 0.15);
     let solids = [solid];
     let light = Light::new(towards, ambient).unwrap();
-    let scene = Scene { solids: &solids, camera, light, background: BLACK };
+    let scene = Scene::new(&solids, camera, light);
     difference.add(&Known { scene, colors: &[Rgb::WHITE], towards, ambient }, side, what);
 }
 
@@ -531,7 +530,7 @@ fn where_a_wall_has_no_slope_it_has_a_normal() {
     let at = [eye[0] - 0.1, eye[1] + 0.9, eye[2] - 1.0];
     let camera = Camera::perspective(eye, at, [0.0, -1.0, 3.5e-7], 0.230_720_3).unwrap();
     let light = Light::new([0.3, -1.0, 0.5], 0.5).unwrap();
-    let scene = Scene { solids: &solids, camera, light, background: BLACK };
+    let scene = Scene::new(&solids, camera, light);
     let mut row = [Rgb565::BLACK; 33];
     let mut seen = 0;
     for y in 0..33 {
@@ -627,7 +626,7 @@ fn tiny_solids_are_seen() {
             Solid::new(&ball, Rgb::WHITE).posed(Pose::new([9.0, 9.0, 9.0], Rotation::IDENTITY, 0.1).unwrap()),
         ];
         let light = Light::new([-1.0, -1.0, 1.0], 1.0).unwrap();
-        let scene = Scene { solids: &solids, camera, light, background: BLACK };
+        let scene = Scene::new(&solids, camera, light);
         scene.picture(side, side).row(y, &mut row);
         let is_hit = solids.iter().any(|solid| solid.nearest(&ray, 0.0).is_some());
         assert_eq!(row[x as usize] != Rgb565::BLACK, is_hit, "ball {number}, {size} large, at column {x}");

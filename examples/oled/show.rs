@@ -28,7 +28,7 @@ pub fn draw<D: DrawTarget<Color = Gray4>>(name: &[u8], n: u32, display: &mut D) 
 /// Row by row, each sent as soon as it is reckoned: a row shares more than the pixels of a whole picture can.
 fn see<D: DrawTarget<Color = Gray4>>(solids: &[Solid], display: &mut D) -> Result<(), D::Error> {
     let background = Background::Gradient { top: Rgb::gray(0.05), bottom: Rgb::gray(0.25) };
-    let scene = Scene { solids, camera: CAMERA, light: scenes::DAYLIGHT, background };
+    let scene = Scene::new(solids, CAMERA, scenes::DAYLIGHT).with_background(background);
     let Rectangle { top_left, size } = display.bounding_box();
     let picture = scene.picture(size.width, size.height);
     let mut row = [Gray4::BLACK; WIDTH];

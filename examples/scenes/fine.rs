@@ -49,4 +49,4 @@ pub static VASE: Lathe<[Segment; SEGMENTS]> =
     Lathe::turn(valid!(Profile::new(&KNOTS, &ORDINATES)).base(End::Capped));
 
 /// In the vase's place.
-pub static SCENE: Scene = Scene { solids: &[Solid::new(&VASE, CLAY)], ..VASE_SCENE };
+pub static SCENE: Scene = VASE_SCENE.with_solids(&[Solid::new(&VASE, CLAY)]);

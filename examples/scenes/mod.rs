@@ -69,28 +69,24 @@ const fn vase_camera(up: [f32; 3]) -> Camera {
 }
 
 /// The vase, upright.
-pub static VASE_SCENE: Scene = Scene {
-    solids: &[Solid::new(&VASE, CLAY)],
-    camera: vase_camera([0.0, 0.0, 1.0]),
-    light: DAYLIGHT,
-    background: PLAIN,
-};
+pub static VASE_SCENE: Scene =
+    Scene::new(&[Solid::new(&VASE, CLAY)], vase_camera([0.0, 0.0, 1.0]), DAYLIGHT).with_background(PLAIN);
 
 /// The vase turned 30° about the x axis, the camera rolled 20°.
-pub static TILTED_SCENE: Scene = Scene {
-    solids: &[Solid::new(&VASE, CLAY).posed(valid!(Pose::new([0.0; 3], Rotation::about_x(PI / 6.0), 1.0)))],
-    camera: vase_camera([0.342_020_14, 0.0, 0.939_692_6]),
-    light: DAYLIGHT,
-    background: PLAIN,
-};
+pub static TILTED_SCENE: Scene = Scene::new(
+    &[Solid::new(&VASE, CLAY).posed(valid!(Pose::new([0.0; 3], Rotation::about_x(PI / 6.0), 1.0)))],
+    vase_camera([0.342_020_14, 0.0, 0.939_692_6]),
+    DAYLIGHT,
+)
+.with_background(PLAIN);
 
 /// Into a bowl from above: the inside of its wall.
-pub static BOWL_SCENE: Scene = Scene {
-    solids: &[Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30)],
-    camera: valid!(Camera::perspective([0.0, -1.6, 2.0], [0.0, 0.0, 0.3], [0.0, 0.0, 1.0], 0.35)),
-    light: DAYLIGHT,
-    background: SKY,
-};
+pub static BOWL_SCENE: Scene = Scene::new(
+    &[Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30)],
+    valid!(Camera::perspective([0.0, -1.6, 2.0], [0.0, 0.0, 0.3], [0.0, 0.0, 1.0], 0.35)),
+    DAYLIGHT,
+)
+.with_background(SKY);
 
 /// An open bowl with a foot and a lip.
 pub static BOWL: Lathe<[Segment; 2]> = Lathe::turn(
@@ -105,16 +101,16 @@ pub static KNOB: Lathe<[Segment; 2]> = Lathe::turn(
 );
 
 /// The knob from above.
-pub static KNOB_SCENE: Scene = Scene {
-    solids: &[Solid::new(&KNOB, Rgb::gray(0.75)).shiny(20)],
-    camera: valid!(Camera::perspective([0.0, -1.8, 1.6], [0.0, 0.0, 0.15], [0.0, 0.0, 1.0], 0.3)),
-    light: DAYLIGHT,
-    background: SKY,
-};
+pub static KNOB_SCENE: Scene = Scene::new(
+    &[Solid::new(&KNOB, Rgb::gray(0.75)).shiny(20)],
+    valid!(Camera::perspective([0.0, -1.8, 1.6], [0.0, 0.0, 0.15], [0.0, 0.0, 1.0], 0.3)),
+    DAYLIGHT,
+)
+.with_background(SKY);
 
 /// The vase, a ball and a pawn.
-pub static STILL_LIFE: Scene = Scene {
-    solids: &[
+pub static STILL_LIFE: Scene = Scene::new(
+    &[
         Solid::new(&VASE, CLAY),
         Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3))
             .posed(valid!(Pose::new([-0.62, -0.25, 0.2], Rotation::IDENTITY, 1.0)))
@@ -123,10 +119,10 @@ pub static STILL_LIFE: Scene = Scene {
             .posed(valid!(Pose::new([0.6, -0.3, 0.0], Rotation::IDENTITY, 0.7)))
             .shiny(15),
     ],
-    camera: valid!(Camera::perspective([0.0, -2.6, 1.2], [0.0, 0.0, 0.4], [0.0, 0.0, 1.0], 0.42)),
-    light: DAYLIGHT,
-    background: SKY,
-};
+    valid!(Camera::perspective([0.0, -2.6, 1.2], [0.0, 0.0, 0.4], [0.0, 0.0, 1.0], 0.42)),
+    DAYLIGHT,
+)
+.with_background(SKY);
 
 const CORNER_BALL: Solid = Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3)).posed(valid!(Pose::new(
     [-0.53, 0.0, 0.92],
@@ -135,23 +131,20 @@ const CORNER_BALL: Solid = Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3)).posed(val
 )));
 
 /// A ball in a corner of the vase's picture, without the vase.
-pub static BALL_SCENE: Scene = Scene { solids: &[CORNER_BALL], ..VASE_SCENE };
+pub static BALL_SCENE: Scene = VASE_SCENE.with_solids(&[CORNER_BALL]);
 
 /// The vase, and that ball in a corner.
-pub static VASE_AND_BALL: Scene = Scene { solids: &[Solid::new(&VASE, CLAY), CORNER_BALL], ..VASE_SCENE };
+pub static VASE_AND_BALL: Scene = VASE_SCENE.with_solids(&[Solid::new(&VASE, CLAY), CORNER_BALL]);
 
 /// A ball in the bowl: no plane parts them.
-pub static BALL_IN_BOWL: Scene = Scene {
-    solids: &[
-        Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30),
-        Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3)).posed(valid!(Pose::new(
-            [0.1, 0.1, 0.3],
-            Rotation::IDENTITY,
-            1.0
-        ))),
-    ],
-    ..BOWL_SCENE
-};
+pub static BALL_IN_BOWL: Scene = BOWL_SCENE.with_solids(&[
+    Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30),
+    Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3)).posed(valid!(Pose::new(
+        [0.1, 0.1, 0.3],
+        Rotation::IDENTITY,
+        1.0
+    ))),
+]);
 
 /// A round board.
 pub static BOARD: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::cylinder(1.2, 0.06)));
@@ -164,8 +157,8 @@ const fn pawn_at(x: f32, y: f32, color: Rgb) -> Solid<'static> {
 }
 
 /// Six pawns on the board.
-pub static PAWNS: Scene = Scene {
-    solids: &[
+pub static PAWNS: Scene = Scene::new(
+    &[
         Solid::new(&BOARD, Rgb::new(0.35, 0.22, 0.15)),
         pawn_at(-0.6, -0.4, Rgb::gray(0.85)),
         pawn_at(0.0, -0.6, Rgb::gray(0.85)),
@@ -174,10 +167,10 @@ pub static PAWNS: Scene = Scene {
         pawn_at(0.0, 0.6, Rgb::gray(0.3)),
         pawn_at(0.6, 0.4, Rgb::gray(0.3)),
     ],
-    camera: valid!(Camera::perspective([0.0, -2.8, 1.9], [0.0, 0.0, 0.1], [0.0, 0.0, 1.0], 0.42)),
-    light: DAYLIGHT,
-    background: SKY,
-};
+    valid!(Camera::perspective([0.0, -2.8, 1.9], [0.0, 0.0, 0.1], [0.0, 0.0, 1.0], 0.42)),
+    DAYLIGHT,
+)
+.with_background(SKY);
 
 /// All of them, and what their pictures in `docs` are called.
 pub static NAMED: [(&str, &Scene); 6] = [

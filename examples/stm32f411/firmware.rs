@@ -7,7 +7,7 @@ use defmt::{info, unwrap};
 use defmt_rtt as _;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use embedded_hal_bus::spi::ExclusiveDevice;
-use embedded_lathe::{Pose, Rotation, Scene, Solid};
+use embedded_lathe::{Pose, Rotation, Solid};
 use mipidsi::{Builder, interface::SpiInterface, models::ST7789, options::ColorInversion};
 use panic_probe as _;
 use stm32f4xx_hal::{
@@ -64,7 +64,8 @@ fn main() -> ! {
     let mut row = [Rgb565::BLACK; 240];
     for n in (0..FRAMES).cycle() {
         let start = cycles.cyccnt.read();
-        let scene = Scene { solids: &[unwrap!(leaning(n))], ..scenes::VASE_SCENE };
+        let solids = [unwrap!(leaning(n))];
+        let scene = scenes::VASE_SCENE.with_solids(&solids);
         unwrap!(scene.draw_by_rows(&mut display, &mut row).ok());
         info!("frame {}: {} cycles", n, cycles.cyccnt.read().wrapping_sub(start));
     }

@@ -57,7 +57,7 @@ fn the_oracle_sees_the_same_vase() {
 /// Which pixels show the vase: the picture's, and those of single rays by the solver S.
 fn shows_the_vase<S: Solver>() {
     let side = 240;
-    let scene = Scene { background: BLACK, ..scenes::VASE_SCENE };
+    let scene = scenes::VASE_SCENE.with_background(BLACK);
     let picture = scene.picture(side, side);
     let mut row = vec![Rgb565::BLACK; side as usize];
     for y in 0..side {

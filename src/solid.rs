@@ -141,7 +141,7 @@ impl<'a> Solid<'a> {
             Projection::Orthographic => (step * unit, none),
         };
         let rays = RayRow { origin, origin_step, direction, direction_step };
-        let sweep = self.lathe.sweep(&rays, unit, row.camera.rough, (start, end));
+        let sweep = self.lathe.sweep(&rays, unit, row.camera.rough, row.width, (start, end));
         SolidRow { solid: self, row, views: Views { first: direction, step: direction_step }, sweep }
     }
 

@@ -105,6 +105,63 @@ fn every_way_gives_the_same_pixels() {
     }
 }
 
+/// How many pixels of 240×240 differ between whole rows and parts of so many pixels, in a display's finest colors: by one
+/// step of a channel, and by more.
+fn differing_by_parts(scene: &Scene, parts: &[usize]) -> [usize; 2] {
+    let whole = rows(scene, 240, 240, &[240], Rgb888::BLACK);
+    let parts = rows(scene, 240, 240, parts, Rgb888::BLACK);
+    let mut differ = [0; 2];
+    for (one, other) in whole.into_iter().zip(parts).filter(|(one, other)| one != other) {
+        let channels = [(one.r(), other.r()), (one.g(), other.g()), (one.b(), other.b())];
+        differ[usize::from(channels.iter().any(|(a, b)| a.abs_diff(*b) > 1))] += 1;
+    }
+    differ
+}
+
+/// What the doc of `Picture::part_of_row` promises: of the reference scenes, from where they are seen and from up to 200
+/// times as far, the picture's angle as much narrower.
+#[test]
+fn parts_of_rows_are_the_whole_row_from_far_away_too() {
+    const PIXELS: usize = 240 * 240;
+    let up = [0.0, 0.0, 1.0];
+    let target = [0.0, 0.0, 0.5];
+    let views = [
+        ("from the side", [0.0, -2.2, 0.9], up),
+        ("leaning", [0.0, -2.2, 0.9], [0.342_020_14, 0.0, 0.939_692_6]),
+        ("from above", [0.0, -2.2, 2.7], up),
+    ];
+    let (mut most_by_parts, mut most_by_pixels, mut most_at_creases) = (0, 0, 0);
+    for (name, scene) in scenes::NAMED {
+        for ((view, eye, up), far) in
+            views.iter().flat_map(|&view| [1.0, 10.0, 40.0, 140.0, 200.0].map(|far| (view, far)))
+        {
+            let eye = core::array::from_fn(|i| target[i] + (eye[i] - target[i]) * far);
+            let camera = Camera::perspective(eye, target, up, 0.3 / far).unwrap();
+            let scene = scene.with_camera(camera);
+            for parts in [&[40][..], &[32], &[5, 40, 2], &[1]] {
+                let [by_a_step, by_more] = differing_by_parts(&scene, parts);
+                let what =
+                    format!("{name}, {view}, {far} times as far, by {parts:?}: {by_a_step}, {by_more}");
+                let (allowed, most) =
+                    if parts == [1] { (1_000, &mut most_by_pixels) } else { (5_000, &mut most_by_parts) };
+                *most = by_a_step.max(*most);
+                most_at_creases = by_more.max(most_at_creases);
+                assert!(by_a_step * allowed <= PIXELS, "{what}");
+                // Which side of a crease a ray sees that meets it to within rounding.
+                assert!(by_more * 50_000 <= PIXELS, "{what}");
+            }
+        }
+    }
+    // The view that showed that each part rounded the eye's distance in its own way: then 100 pixels differed.
+    let camera = Camera::perspective([0.0, -307.0, 307.5], target, up, 0.00186).unwrap();
+    let [vase, more] = differing_by_parts(&scenes::VASE_SCENE.with_camera(camera), &[40]);
+    println!(
+        "of {PIXELS} pixels at most {most_by_parts} differ by parts, {most_by_pixels} one by one, \
+         {most_at_creases} at creases; of the vase from afar {vase}"
+    );
+    assert!(vase * 10_000 <= PIXELS && more == 0, "{vase}, {more}");
+}
+
 /// A display that takes pixels by `nth`, as clipping drivers do.
 struct Skips(Vec<(usize, Rgb565)>);
 

@@ -23,21 +23,31 @@ impl Lathe {
     /// The pixels from `start` to `end` of a row of rays, in object space. `unit` is the rays' own; each has its origin rounded by
     /// itself, as a number of the size of `rough` is.
     #[inline(always)]
-    pub(crate) fn sweep(&self, rays: &RayRow, unit: f32, rough: f32, (start, end): (u32, u32)) -> Sweep<'_> {
+    pub(crate) fn sweep(
+        &self,
+        rays: &RayRow,
+        unit: f32,
+        rough: f32,
+        width: u32,
+        (start, end): (u32, u32),
+    ) -> Sweep<'_> {
         let lathe = self.view();
         let frame = lathe.frame;
         let (d, d1) = (frame.squashed(rays.direction), frame.squashed(rays.direction_step));
         let o = frame.squashed(frame.point(rays.origin));
         let o1 = frame.squashed(rays.origin_step * frame.scale);
 
-        // The ray half way, its M and D, and the pixels on either side.
+        // First about the whole row's centre, whatever part is asked for, so that the rounding of a far eye's distance is the
+        // same for all parts; then about the part's own.
+        let row_centre = 0.5 * width as f32 - 0.5;
         let half = 0.5 * (end - start) as f32;
         let centre = start as f32 - 0.5 + half;
-        let (oc, dc) = (o + o1 * centre, d + d1 * centre);
+        let (run, shift_of_row) =
+            RayRow { origin: o, origin_step: o1, direction: d, direction_step: d1 }.about(row_centre);
+        let (run, shift_of_part) = run.about(centre - row_centre);
+        let shift = shift_of_row + shift_of_part;
+        let RayRow { origin: mc, origin_step: m1, direction: dc, .. } = run;
         let square = dot(dc, dc);
-        let shift = -dot(oc, dc) / square;
-        let (mc, m1) = (oc + dc * shift, o1 + d1 * shift);
-        let run = RayRow { origin: mc, origin_step: m1, direction: dc, direction_step: d1 };
 
         // |M + s·D| ≤ size means |s| ≤ |M·D|/D² + size/|D|. M·D vanishes half way, and D² and q are above their
         // tangents there.

@@ -27,10 +27,10 @@ pub(crate) use row::{RayRow, Seen, Stop, Sweep, Wall};
 pub use segment::Segment;
 
 use crate::hit::{Hit, Part};
-use crate::math::const_fn;
-use crate::math::minmax::{greater, lesser};
+use crate::math::minmax::greater;
+use crate::math::{cold_path, const_fn};
 use crate::profile::Profile;
-use crate::vector::{F32x3, largest, vector};
+use crate::vector::{F32x3, largest, saturated, vector};
 use frame::{EndPlane, Frame, View};
 use segment::{larger, power_of_two_for, widened};
 
@@ -153,23 +153,34 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         self.frame.radius
     }
 
-    /// A vector along the outward normal at a point of the surface: half of `(2k·x, 2y, −f′(u)/h)` on the
-    /// wall, in the lathe's frame; along the axis where that is nothing.
+    /// The radius of a ball around all of a solid, or of what a sheet repeats along x.
+    pub(crate) fn ball(&self) -> f32 {
+        self.frame.size / self.frame.scale
+    }
+
+    /// A vector along the outward normal at a point of the surface, its largest component a normal number: half of
+    /// `(2k·x, 2y, −f′(u)/h)` on the wall, in the lathe's frame; on a cap, and where that vector is zero, along the axis.
     pub(crate) fn gradient_at(&self, point: F32x3, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
+        match hit.part {
+            Part::Base => return vector([0.0, 0.0, -1.0]),
+            Part::Top => return vector([0.0, 0.0, 1.0]),
+            Part::Wall => {}
+        }
+        // NaN for a segment of no height in the frame, whose 1/h is infinite.
         let slope = segments.get(hit.segment).map_or(0.0, |segment| segment.at(hit.u).1 * segment.per_height);
-        // A segment of no height in the frame has none.
-        let slope = lesser(f32::MAX, greater(-f32::MAX, slope));
         let (x, y) = (frame.squash * frame.scale * point.x, frame.scale * point.y);
         let gradient = vector([x, y, -0.5 * slope]);
-        let pole = |z| vector([0.0, 0.0, z]);
-        match hit.part {
-            Part::Base => pole(-1.0),
-            Part::Top => pole(1.0),
-            Part::Wall if largest(gradient) >= f32::MIN_POSITIVE => gradient,
-            Part::Wall if hit.segment == 0 && hit.u < 0.5 => pole(-1.0),
-            Part::Wall => pole(1.0),
+        // NaN if the slope is, infinite if any component is.
+        let size = greater(greater(gradient.z.abs(), x.abs()), y.abs());
+        if size >= f32::MIN_POSITIVE && size <= f32::MAX {
+            return gradient;
         }
+        cold_path();
+        let gradient = saturated(gradient);
+        let is_below = hit.segment == 0 && hit.u < 0.5;
+        let pole = vector([0.0, 0.0, if is_below { -1.0 } else { 1.0 }]);
+        if largest(gradient) >= f32::MIN_POSITIVE { gradient } else { pole }
     }
 }
 

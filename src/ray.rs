@@ -1,6 +1,7 @@
 //! A ray, checked at the door.
 
-use crate::vector::{F32x3, finite, to_one, vector};
+use crate::math::minmax::{greater, lesser};
+use crate::vector::{F32x3, finite, saturated, to_one, vector};
 use core::fmt;
 
 /// The points `origin + t·direction`. The direction need not be a unit vector: t counts in units of the one
@@ -53,9 +54,20 @@ impl Ray {
         Self { origin, direction, unit: 1.0 }
     }
 
-    /// The point at t.
+    /// The point at t, finite if t is: of a coordinate beyond f32's range, the largest number with its sign.
     pub fn at(&self, t: f32) -> F32x3 {
-        self.origin + self.direction * (t * self.unit)
+        let point = self.origin + self.direction * (t * self.unit);
+        if finite(point) { point } else { self.far_at(t) }
+    }
+
+    /// The same where a product overflows although the point may not: computed at half the size, where the two terms that
+    /// cancel are finite.
+    #[cold]
+    #[inline(never)]
+    fn far_at(&self, t: f32) -> F32x3 {
+        let way = lesser(f32::MAX, greater(f32::MIN, t * self.unit));
+        let half = self.origin * 0.5 + self.direction * (0.5 * way);
+        saturated(half * 2.0)
     }
 }
 

@@ -7,10 +7,10 @@ use crate::lathe::{Lathe, RayRow, Seen, Stop, Sweep, Wall};
 use crate::light::Light;
 use crate::math::rsqrt;
 use crate::pose::Pose;
-use crate::ray::Ray;
+use crate::ray::{Ray, RayError};
 use crate::solve::Bracketed;
 use crate::surface::Surface;
-use crate::vector::{F32x3, Vector, largest, vector};
+use crate::vector::{F32x3, Vector, difference, largest, one_norm, vector};
 use core::ptr;
 
 /// A turned solid at its place in the world: what it is, where it is, what it looks like.
@@ -93,6 +93,34 @@ impl<'a> Solid<'a> {
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let seen = self.lathe.surface(&self.ray_into(ray), hit);
         Surface { point: ray.at(hit.t), normal: self.pose.rotation.apply(seen.normal.to_array()) }
+    }
+
+    /// A ray of the world that goes on from a hit of this solid, as [`Lathe::spawn`]: the offset is
+    /// `16·2⁻²⁴·(4·R + distance + |origin| + |point|)`, all in the world, `distance` to where the solid's own space has its
+    /// origin, plus its middle's height in there.
+    ///
+    /// ```
+    /// use embedded_lathe::{Lathe, Pose, Profile, Ray, Rgb, Rotation, Segment, Solid, valid};
+    ///
+    /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
+    /// let at = |x| Pose::new([x, 0.0, 0.0], Rotation::IDENTITY, 1.0).map(|pose| Solid::new(&BALL, Rgb::WHITE).posed(pose));
+    /// let solids = [at(0.0)?, at(3.0)?];
+    ///
+    /// let ray = Ray::new([0.9, -4.0, 0.0], [0.0, 1.0, 0.0])?;
+    /// let hit = solids[0].nearest(&ray, 0.0).unwrap();
+    /// let to_light = solids[0].spawn(&ray, &hit, [1.0, 0.0, 0.0])?;
+    /// assert!(solids.iter().any(|solid| solid.is_hit(&to_light, 0.0))); // in the second one's shadow
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`Ray::new`]: of the direction, and of a place beyond f32's range.
+    pub fn spawn(&self, ray: &Ray, hit: &Hit, direction: [f32; 3]) -> Result<Ray, RayError> {
+        let Pose { position, scale, .. } = self.pose;
+        let own = scale * (4.0 * self.lathe.ball() + self.lathe.middle().abs());
+        let lengths = own + one_norm(difference(ray.origin, position)) + one_norm(ray.origin);
+        self.surface(ray, hit).spawn(direction, lengths)
     }
 
     /// A ray of the world in object space, with the same t.

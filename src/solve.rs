@@ -40,7 +40,7 @@ pub use refine::refine;
 pub use split::Split;
 
 pub(crate) use bracketed::Bracketed;
-pub(crate) use pieces::{first_crossing, first_piece};
+pub(crate) use pieces::first_crossing;
 
 use crate::cubic::Cubic;
 use crate::math::minmax::greater;

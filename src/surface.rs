@@ -2,9 +2,9 @@
 
 use crate::hit::Hit;
 use crate::lathe::{Lathe, Segment};
-use crate::math::{Math, Native};
-use crate::ray::Ray;
-use crate::vector::{F32x3, Vector, largest};
+use crate::math::{Math, Native, UNIT_ROUNDOFF};
+use crate::ray::{Ray, RayError};
+use crate::vector::{F32x3, Vector, difference, dot, largest, one_norm, vector};
 
 /// A point of a surface.
 ///
@@ -52,6 +52,50 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         let point = ray.at(hit.t);
         let normal = unit(self.gradient_at(point, hit));
         Surface { point, normal }
+    }
+
+    /// A ray that goes on from a hit of this lathe by `ray`: a reflection, or towards a light. It starts beside the hit's
+    /// point, off the surface by the bound of what rounding can do to either ray (graphics texts call that an offset ray
+    /// origin), to the side that `direction` points to. So with a `t_min` of zero it does not meet the place again that it
+    /// leaves; and what else it meets is at most as far from where it should be as the offset is long:
+    ///
+    /// `16·2⁻²⁴·(4·R + distance + |point|)`, R the radius of the smallest ball around the solid, both others measured by the sum
+    /// of the coordinates, from the middle of its axis to the ray's origin, and from the origin of space to the point.
+    ///
+    /// ```
+    /// use embedded_lathe::{Lathe, Profile, Ray, valid};
+    ///
+    /// let ball = Lathe::turn(valid!(Profile::sphere(1.0)));
+    /// let ray = Ray::new([0.2, -3.0, 0.1], [0.0, 1.0, 0.0])?;
+    /// let hit = ball.nearest(&ray, 0.0).unwrap();
+    /// assert!(!ball.is_hit(&ball.spawn(&ray, &hit, [0.5, -1.0, 0.5])?, 0.0)); // lit from the front
+    /// assert!(ball.is_hit(&ball.spawn(&ray, &hit, [0.0, 1.0, 0.0])?, 0.0)); // in its own shadow from behind
+    /// # Ok::<(), embedded_lathe::RayError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`Ray::new`]: of the direction, and of a place beyond f32's range.
+    pub fn spawn(&self, ray: &Ray, hit: &Hit, direction: [f32; 3]) -> Result<Ray, RayError> {
+        let from_middle = difference(ray.origin, vector([0.0, 0.0, self.middle()]));
+        self.surface(ray, hit).spawn(direction, 4.0 * self.ball() + one_norm(from_middle))
+    }
+}
+
+/// The offset of a spawned ray, over the lengths that its rounding is measured by.
+///
+/// The promise puts the hit within 4 units of the surface, a unit 2⁻²⁴·(size + distance + the hit's own distance), and that is
+/// no more than 2·(size + distance); `Ray::at` rounds a product and a sum, 1 more and |point|; and the ray that leaves has to
+/// clear the surface by 4 units of 2⁻²⁴·(size + size), its origin being rounded once more, |point|. In all 18·size + 10·distance +
+/// 2·|point|, size at most 2·R: 16 times (4·R + distance + |point|) is more than that by half.
+const OFFSET: f32 = 16.0 * UNIT_ROUNDOFF;
+
+impl Surface {
+    /// The ray from here, off the surface by what rounding can do to numbers as large as `lengths` and the point.
+    pub(crate) fn spawn(self, direction: [f32; 3], lengths: f32) -> Result<Ray, RayError> {
+        let offset = OFFSET * (lengths + one_norm(self.point));
+        let side = self.normal * offset.copysign(dot(self.normal, vector(direction)));
+        Ray::new((self.point + side).to_array(), direction)
     }
 }
 

@@ -3,16 +3,28 @@
 
 pub use micromath::vector::{F32x3, Vector};
 
-use crate::math::{const_fn, minmax::greater};
+use crate::math::const_fn;
+use crate::math::minmax::{greater, lesser};
 
 /// The vector of three components.
 pub(crate) const fn vector([x, y, z]: [f32; 3]) -> F32x3 {
     F32x3 { x, y, z }
 }
 
-/// Nothing of a finite number is nothing; of any other it is not a number.
+/// Whether no component is infinite or NaN: the exponents of those are all ones.
+#[inline(always)]
 pub(crate) const fn finite(v: F32x3) -> bool {
-    0.0 * v.x + 0.0 * v.y + 0.0 * v.z == 0.0
+    const ONES: u32 = 0xff << 23;
+    let F32x3 { x, y, z } = v;
+    x.to_bits() & ONES != ONES && y.to_bits() & ONES != ONES && z.to_bits() & ONES != ONES
+}
+
+/// The vector with each component held between f32's least and largest numbers, and 0 for NaN.
+#[cold]
+#[inline(never)]
+pub(crate) fn saturated(v: F32x3) -> F32x3 {
+    let held = |x: f32| if x.is_nan() { 0.0 } else { lesser(f32::MAX, greater(f32::MIN, x)) };
+    vector([held(v.x), held(v.y), held(v.z)])
 }
 
 pub(crate) const fn dot(a: F32x3, b: F32x3) -> f32 {

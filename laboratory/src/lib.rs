@@ -29,6 +29,7 @@ pub mod hits;
 pub mod judge;
 pub mod lathes;
 pub mod oracle;
+pub mod outlines;
 pub mod peers;
 /// The reference scenes, which the examples draw.
 #[path = "../../examples/scenes/mod.rs"]

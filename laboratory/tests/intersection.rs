@@ -110,7 +110,7 @@ impl<S: Solver> Questions for By<S> {
     }
 
     fn is_hit(shot: &Shot) -> bool {
-        shot.lathe.is_hit_by::<S>(&shot.ray, shot.case.cast.t_min)
+        shot.lathe.nearest_by::<S>(&shot.ray, shot.case.cast.t_min).is_some()
     }
 }
 

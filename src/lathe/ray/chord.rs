@@ -3,7 +3,7 @@ use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
 use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
-use crate::solve::{Solver, first_crossing, first_piece};
+use crate::solve::{Solver, first_crossing};
 
 /// What of a ray lies in one segment's slab, and g along it.
 pub(super) struct Chord<'a> {
@@ -56,12 +56,6 @@ impl<'a> Chord<'a> {
     #[inline]
     pub fn crossing<S: Solver>(&self, from: f32, inside: bool) -> Option<f32> {
         if from < self.to { first_crossing::<S>(&self.g, from, self.to, inside) } else { None }
-    }
-
-    /// Whether there is a crossing at all: signs, no root.
-    #[inline(always)]
-    pub fn crosses<S: Solver>(&self, inside: bool) -> bool {
-        first_piece::<S::Math>(&self.g, self.from, self.to, inside).is_some()
     }
 
     #[inline]

@@ -29,21 +29,24 @@ impl<const N: usize> Lathe<[Segment; N]> {
         self.hits_on::<S, C>(ray, t_min, None)
     }
 
-    /// The first is the nearest to the last bit, if that is known, and none before the one before: rounding may put a
-    /// wall before a cap at its rim.
+    /// All crossings that a traversal finds. What the fast path has found comes first, as it is: that crossing is entered a
+    /// rounding earlier or later by the traversal, or, if `t_min` lies between the two, not reported. No t is below the one
+    /// before it: rounding may put a wall before a cap at its rim.
     fn hits_on<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32, nearest: Option<Hit>) -> Vec<Hit, C> {
         const {
             assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
         }
-        let mut hits = Vec::<Hit, C>::new();
+        let mut hits = Vec::<Hit, C>::from_iter(nearest);
         let path = LocalRay::new(&self.frame, ray);
-        let _: Option<()> = walk::<S, _, false>(self.view(), &path, t_min, |hit| {
-            let hit = match (hits.last(), nearest) {
-                (None, Some(nearest)) if hit.enters => nearest,
-                (None, _) => hit,
-                (Some(last), _) => Hit { t: greater(last.t, hit.t), ..hit },
-            };
-            let _ = hits.push(hit);
+        let _: Option<()> = walk::<S, _>(self.view(), &path, t_min, |hit| {
+            match hits.last() {
+                // The same crossing again.
+                Some(_) if nearest.is_some() && hits.len() == 1 && hit.enters => {}
+                last => {
+                    let t = last.map_or(hit.t, |last| greater(last.t, hit.t));
+                    let _ = hits.push(Hit { t, ..hit });
+                }
+            }
             ControlFlow::Continue(())
         });
         hits
@@ -80,22 +83,26 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[inline(always)]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         let path = LocalRay::new(&self.frame, ray);
-        walk::<S, _, false>(self.view(), &path, t_min, ControlFlow::Break)
+        walk::<S, _>(self.view(), &path, t_min, ControlFlow::Break)
     }
 
-    /// Whether there is any crossing beyond `t_min`: what a shadow asks. The signs at a chord's two ends
-    /// often answer without a root.
+    /// Whether there is any crossing beyond `t_min`: what a shadow asks. True where [`Lathe::nearest`] has a hit and where
+    /// [`Lathe::hits`] has any, and nowhere else.
+    ///
+    /// A ray that starts on the surface, as rounding has it, may or may not meet it there. [`Lathe::spawn`] makes one that
+    /// does not:
+    ///
+    /// ```
+    /// use embedded_lathe::{Lathe, Profile, Ray, valid};
+    ///
+    /// let ball = Lathe::turn(valid!(Profile::sphere(1.0)));
+    /// let ray = Ray::new([0.2, -3.0, 0.1], [0.0, 1.0, 0.0])?;
+    /// let hit = ball.nearest(&ray, 0.0).unwrap();
+    /// let to_light = ball.spawn(&ray, &hit, [-0.5, -0.7, 0.5])?;
+    /// assert!(!ball.is_hit(&to_light, 0.0)); // not in its own shadow
+    /// # Ok::<(), embedded_lathe::RayError>(())
+    /// ```
     pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
-        match self.whole().glance(ray, t_min) {
-            Glance::Misses => false,
-            Glance::Meets(_) => true,
-            Glance::Unclear => self.is_hit_by::<Bracketed>(ray, t_min),
-        }
-    }
-
-    /// [`Lathe::is_hit`] with the solver S, by a walk along the ray.
-    pub fn is_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> bool {
-        let path = LocalRay::new(&self.frame, ray);
-        walk::<S, _, true>(self.view(), &path, t_min, ControlFlow::Break).is_some()
+        self.nearest(ray, t_min).is_some()
     }
 }

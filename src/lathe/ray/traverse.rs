@@ -13,12 +13,12 @@ use core::ops::ControlFlow;
 const ROUNDING: f32 = 1.0 / 4_194_304.0;
 
 /// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
-/// until told to stop. With `SIGNS` one that must be there is reported unfound, anywhere on its chord.
+/// until told to stop.
 ///
 /// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one)
 /// has an infinite t, or NaN, which `lesser` and `greater` pass over: neither ray is a special case.
 #[inline(always)]
-pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
+pub(super) fn walk<S: Solver, B>(
     lathe: View<'_>,
     path: &LocalRay,
     t_min: f32,
@@ -61,13 +61,6 @@ pub(super) fn walk<S: Solver, B, const SIGNS: bool>(
     while let Some(segment) = segments.get(index) {
         let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
         if let Some(chord) = Chord::new(path, segment, index, [at, end], inside) {
-            if SIGNS
-                && chord.crosses::<S>(inside)
-                && is_beyond(path.distance(at), t_min)
-                && path.distance(end) < f32::INFINITY
-            {
-                return meet(chord.hit(0.0, !inside)).break_value();
-            }
             let mut from = chord.from;
             for _ in 0..3 {
                 let Some(s) = chord.crossing::<S>(from, inside) else { break };

@@ -40,6 +40,28 @@ const SCENES: [(&str, &Scene); 10] = [
     ("pawns", &scenes::PAWNS),
 ];
 
+/// Shoulders, walls with thickness, solids that no plane parts: not where floats are slow.
+#[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
+const SHAPES: [(&str, &Scene); 14] = {
+    use scenes::shapes::{BOWLS, BOWLS_BALL, CROSSINGS, RISERS};
+    [
+        ("knob with a riser of 1e-2", &RISERS[0]),
+        ("knob with a riser of 1e-3", &RISERS[1]),
+        ("knob with a riser of 1e-4", &RISERS[2]),
+        ("knob with a riser of 1e-6", &RISERS[3]),
+        ("outer wall", &BOWLS[0]),
+        ("inner wall", &BOWLS[1]),
+        ("outer and inner wall", &BOWLS[2]),
+        ("ball of the bowl", &BOWLS_BALL),
+        ("one rippled solid", &CROSSINGS[0]),
+        ("two through one another", &CROSSINGS[1]),
+        ("three through one another", &CROSSINGS[2]),
+        ("six through one another", &CROSSINGS[3]),
+        ("one from within", &CROSSINGS[4]),
+        ("six from within", &CROSSINGS[5]),
+    ]
+};
+
 /// Columns and rows of all pixels.
 pub fn pixels() -> impl Iterator<Item = (u32, u32)> {
     (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y)))
@@ -49,6 +71,10 @@ pub fn pixels() -> impl Iterator<Item = (u32, u32)> {
 pub fn measured() {
     let mut row = BLANK;
     for (name, scene) in SCENES {
+        frame(name, scene, || rows(scene, &mut row));
+    }
+    #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
+    for (name, scene) in SHAPES {
         frame(name, scene, || rows(scene, &mut row));
     }
     frame("vase drawn by rows", &scenes::VASE_SCENE, || draw_by_rows(&scenes::VASE_SCENE, &mut row));

@@ -2,6 +2,7 @@
 //! are constants, in flash.
 
 pub mod fine;
+pub mod shapes;
 
 use core::f32::consts::PI;
 use embedded_lathe::{

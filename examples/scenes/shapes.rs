@@ -1,0 +1,119 @@
+//! Shapes that real outlines have: shoulders, walls with thickness, solids that no plane parts.
+
+use super::{BALL, BOWL, BOWL_SCENE, DAYLIGHT, KNOB_SCENE, SKY};
+use embedded_lathe::{Camera, End, Lathe, Pose, Profile, Rgb, Rotation, Scene, Segment, Solid, valid};
+
+const fn stepped(riser: f32) -> Lathe<[Segment; 4]> {
+    let knots = [0.0, 0.2, 0.2 + riser, 0.34, 0.38];
+    let ordinates = [
+        0.25, 0.25, 0.25, //
+        0.25, 0.21, 0.17, //
+        0.13, 0.13, 0.13, //
+        0.13, 0.13, 0.12, 0.1,
+    ];
+    match Profile::new(&knots, &ordinates) {
+        Ok(profile) => Lathe::turn(profile.closed()),
+        Err(error) => error.stop(),
+    }
+}
+
+static RISER_2: Lathe<[Segment; 4]> = stepped(1e-2);
+static RISER_3: Lathe<[Segment; 4]> = stepped(1e-3);
+static RISER_4: Lathe<[Segment; 4]> = stepped(1e-4);
+static RISER_6: Lathe<[Segment; 4]> = stepped(1e-6);
+
+const fn knob(lathe: &'static Lathe) -> Solid<'static> {
+    Solid::new(lathe, Rgb::gray(0.75)).shiny(20)
+}
+
+/// A knob with a shoulder, by a riser of 10⁻², 10⁻³, 10⁻⁴ and 10⁻⁶.
+pub static RISERS: [Scene; 4] = [
+    KNOB_SCENE.with_solids(&[knob(&RISER_2)]),
+    KNOB_SCENE.with_solids(&[knob(&RISER_3)]),
+    KNOB_SCENE.with_solids(&[knob(&RISER_4)]),
+    KNOB_SCENE.with_solids(&[knob(&RISER_6)]),
+];
+
+/// The inside of a bowl's wall, 0.03 to 0.05 thick.
+static INNER: Lathe<[Segment; 2]> = Lathe::turn(
+    valid!(Profile::new(&[0.03, 0.11, 0.5], &[0.0, 0.01, 0.01, 0.012, 0.25, 0.21, 0.31])).base(End::Open),
+);
+
+const OUTER_WALL: Solid = Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30);
+const INNER_WALL: Solid = Solid::new(&INNER, Rgb::new(0.85, 0.8, 0.7));
+
+/// The outer wall of a bowl, the inner one, and both.
+pub static BOWLS: [Scene; 3] = [
+    BOWL_SCENE.with_solids(&[OUTER_WALL]),
+    BOWL_SCENE.with_solids(&[INNER_WALL]),
+    BOWL_SCENE.with_solids(&[OUTER_WALL, INNER_WALL]),
+];
+
+/// The ball that lies in the bowl, alone.
+pub static BOWLS_BALL: Scene = BOWL_SCENE.with_solids(&[Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3))
+    .posed(valid!(Pose::new([0.1, 0.1, 0.3], Rotation::IDENTITY, 1.0)))]);
+
+const RIPPLES: usize = 12;
+
+const fn ripples() -> Lathe<[Segment; RIPPLES]> {
+    let mut knots = [0.0; RIPPLES + 1];
+    let mut ordinates = [0.0; 3 * RIPPLES + 1];
+    let mut i = 0;
+    while i <= RIPPLES {
+        knots[i] = i as f32 / RIPPLES as f32;
+        let square = if i % 2 == 0 { 0.09 } else { 0.13 };
+        ordinates[3 * i] = square;
+        if i > 0 {
+            ordinates[3 * i - 1] = square;
+        }
+        if i < RIPPLES {
+            ordinates[3 * i + 1] = square;
+        }
+        i += 1;
+    }
+    match Profile::new(&knots, &ordinates) {
+        Ok(profile) => Lathe::turn(profile.closed()),
+        Err(error) => error.stop(),
+    }
+}
+
+static RIPPLED: Lathe<[Segment; RIPPLES]> = ripples();
+
+const fn through(axis: [f32; 3], angle: f32, color: Rgb) -> Solid<'static> {
+    let rotation = match Rotation::about(axis, angle) {
+        Ok(rotation) => rotation,
+        Err(error) => error.stop(),
+    };
+    // About the solid's middle.
+    let up = rotation.apply([0.0, 0.0, -0.5]);
+    match Pose::new([up.x, up.y, up.z], rotation, 1.0) {
+        Ok(pose) => Solid::new(&RIPPLED, color).posed(pose),
+        Err(error) => error.stop(),
+    }
+}
+
+static THROUGH: [Solid; 6] = [
+    through([1.0, 0.0, 0.0], 0.0, Rgb::new(0.8, 0.3, 0.3)),
+    through([1.0, 0.0, 0.0], 1.0, Rgb::new(0.3, 0.8, 0.3)),
+    through([0.0, 1.0, 0.0], 1.2, Rgb::new(0.3, 0.3, 0.8)),
+    through([1.0, 1.0, 0.0], 1.4, Rgb::new(0.8, 0.8, 0.3)),
+    through([1.0, -1.0, 0.0], 0.7, Rgb::new(0.3, 0.8, 0.8)),
+    through([1.0, 0.3, 0.5], 2.0, Rgb::new(0.8, 0.3, 0.8)),
+];
+
+const AROUND: Camera = valid!(Camera::perspective([0.3, -2.2, 0.7], [0.0; 3], [0.0, 0.0, 1.0], 0.3));
+const WITHIN: Camera = valid!(Camera::perspective([0.05, -0.1, 0.02], [0.4, 0.6, 0.1], [0.0, 0.0, 1.0], 0.8));
+
+const fn crossing(solids: &'static [Solid<'static>], camera: Camera) -> Scene<'static> {
+    Scene::new(solids, camera, DAYLIGHT).with_background(SKY)
+}
+
+/// One, two, three and six solids of twelve segments through one another, the eye outside; one and six, the eye inside.
+pub static CROSSINGS: [Scene; 6] = [
+    crossing(THROUGH.split_at(1).0, AROUND),
+    crossing(THROUGH.split_at(2).0, AROUND),
+    crossing(THROUGH.split_at(3).0, AROUND),
+    crossing(&THROUGH, AROUND),
+    crossing(THROUGH.split_at(1).0, WITHIN),
+    crossing(&THROUGH, WITHIN),
+];

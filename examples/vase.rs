@@ -13,14 +13,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
     use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 
+    let path = std::env::current_dir()?.join("vase.png");
+    println!("Ray-traces the reference vase, 240×240 pixels, into {}, and shows it here:\n", path.display());
+
     let scene = &scenes::VASE_SCENE;
     let mut display = SimulatorDisplay::<Rgb888>::new(Size::new(240, 240));
     scene.draw(&mut display)?;
-    let path = std::env::current_dir()?.join("vase.png");
     display.to_rgb_output_image(&OutputSettings::default()).save_png(&path)?;
 
     preview(scene);
-    println!("240×240 pixels, in {}", path.display());
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::ray::Ray;
 use crate::scene_error::SceneError;
-use crate::vector::{F32x3, cross, difference, dot, one_norm, scale, unit, vector};
+use crate::vector::{F32x3, array, cross, difference, dot, one_norm, scale, unit, vector};
 
 /// A camera: perspective or orthographic.
 ///
@@ -14,7 +14,7 @@ use crate::vector::{F32x3, cross, difference, dot, one_norm, scale, unit, vector
 ///
 /// const FRONT: Camera = valid!(Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 0.3));
 /// let ray = FRONT.ray(120, 120, 240, 240);
-/// assert_eq!(ray.origin().to_array(), [0.0, -2.2, 0.9]);
+/// assert_eq!(ray.origin(), [0.0, -2.2, 0.9]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -115,14 +115,42 @@ impl Camera {
         })
     }
 
-    /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels, which must not be
-    /// zero; x and y may lie outside of it.
+    /// Where the camera is.
+    #[must_use]
+    pub const fn eye(&self) -> [f32; 3] {
+        array(self.eye)
+    }
+
+    /// The direction of view, a unit vector.
+    #[must_use]
+    pub const fn forward(&self) -> [f32; 3] {
+        array(self.forward)
+    }
+
+    /// From the middle of the picture to the middle of its right edge: as long as the half-width, at a right angle to the
+    /// view. A perspective camera's picture is at unit distance from the eye.
+    #[must_use]
+    pub const fn right(&self) -> [f32; 3] {
+        array(self.right)
+    }
+
+    /// From the middle of the picture upwards, as long as [`right`](Self::right) and at a right angle to it and to the view.
+    #[must_use]
+    pub const fn up(&self) -> [f32; 3] {
+        array(self.up)
+    }
+
+    /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels; x and y may lie
+    /// outside of it. A picture that is no pixel wide has no pixels: any x and y give the ray through its middle.
     ///
     /// Its t counts in units of the world's along the view: in perspective it is the depth.
+    #[must_use]
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
+        // Over infinity, all distances from the picture's middle are zero.
+        let half_pixels = if width == 0 { f32::INFINITY } else { width as f32 };
         // Centres, in half-pixels from the picture's centre: whole numbers.
         let [across, down] =
-            [(x, width), (y, height)].map(|(i, of)| (2.0 * i as f32 + 1.0 - of as f32) / width as f32);
+            [(x, width), (y, height)].map(|(i, of)| (2.0 * i as f32 + 1.0 - of as f32) / half_pixels);
         let offset = self.right * across - self.up * down;
         match self.projection {
             Projection::Perspective => Ray::new_unchecked(self.eye, self.forward + offset),

@@ -43,7 +43,7 @@ use segment::{larger, power_of_two_for, widened};
 /// ```
 /// use embedded_lathe::{Lathe, Profile, Ray, Segment, valid};
 ///
-/// static VASE: Lathe<[Segment; 2]> = Lathe::turn(valid!(Profile::new(
+/// static VASE: Lathe<[Segment; 2]> = Lathe::turn(valid!(Profile::from_squared_radii(
 ///     &[0.0, 0.6, 1.0],
 ///     &[0.04, 0.16, 0.2, 0.14, 0.1, 0.02, 0.07],
 /// )));
@@ -65,14 +65,10 @@ pub struct Lathe<S: ?Sized = [Segment]> {
 
 impl<const N: usize> Lathe<[Segment; N]> {
     /// Makes a profile ready. Cost: some 80 operations a segment, once; none at run time in a `const`.
+    #[must_use]
     pub const fn turn(profile: Profile<N>) -> Self {
         let len = profile.len;
-        let mut largest = 0.0;
-        let mut i = 0;
-        while i < len {
-            largest = profile.spans[i].largest.max(largest);
-            i += 1;
-        }
+        let largest = profile.largest();
         let scale = power_of_two_for(largest);
         let middle = 0.5 * profile.spans[0].z + 0.5 * profile.spans[len - 1].top;
         let mut segments = [Segment::EMPTY; N];
@@ -123,6 +119,36 @@ impl<const N: usize> Lathe<[Segment; N]> {
             room: frame::ROOM * size,
         };
         Self { frame, segments }
+    }
+}
+
+impl<S: ?Sized> Lathe<S> {
+    /// How many segments the profile has.
+    #[must_use]
+    pub const fn segments(&self) -> usize {
+        self.frame.len
+    }
+
+    /// The heights of the lower and of the upper end: those of the profile, to 2⁻²³ of the larger.
+    ///
+    /// ```
+    /// use embedded_lathe::{Lathe, Profile, valid};
+    ///
+    /// let drum = Lathe::turn(valid!(Profile::cylinder(1.5, 2.0)));
+    /// assert_eq!((drum.heights(), drum.segments()), ([0.0, 2.0], 1));
+    /// assert!((drum.largest_radius() - 1.5).abs() < 1e-6);
+    /// ```
+    #[must_use]
+    pub const fn heights(&self) -> [f32; 2] {
+        let Frame { middle, low, high, scale, .. } = self.frame;
+        [middle + low / scale, middle + high / scale]
+    }
+
+    /// The largest radius, between the knots or at one, to 10⁻⁶ of it. Along x a squashed solid reaches farther, to that over
+    /// √k.
+    #[must_use]
+    pub const fn largest_radius(&self) -> f32 {
+        const_fn::sqrt(self.frame.reach / widened(1.0)) / self.frame.scale
     }
 }
 
@@ -191,7 +217,7 @@ mod tests {
     #[test]
     fn reaches_from_its_middle_to_both_ends() {
         let [low, high] = [1000.0001, 1000.0003];
-        let ring = Lathe::turn(Profile::<1>::new(&[low, high], &[0.25; 4]).unwrap());
+        let ring = Lathe::turn(Profile::<1>::from_squared_radii(&[low, high], &[0.25; 4]).unwrap());
         let [below, above] = [low, high].map(|z| f64::from(z) - f64::from(ring.middle()));
         assert!(below.abs() != above.abs(), "the middle is not rounded");
         assert!(below.abs().max(above.abs()) <= f64::from(ring.half_height()), "{below} to {above}");

@@ -18,7 +18,7 @@
 //! use embedded_lathe::*;
 //!
 //! static VASE: Lathe<[Segment; 2]> = Lathe::turn(
-//!     valid!(Profile::new(
+//!     valid!(Profile::from_squared_radii(
 //!         &[0.0, 0.6, 1.0],                         // heights
 //!         &[0.04, 0.16, 0.2, 0.14, 0.1, 0.0, 0.07], // squared radii, Bézier
 //!     ))
@@ -130,4 +130,6 @@ pub use scene::Scene;
 pub use scene_error::SceneError;
 pub use solid::Solid;
 pub use surface::Surface;
-pub use vector::{F32x3, Vector};
+
+/// The vectors of [`Cubic::roots`] and [`Lathe::hits`] are this crate's `Vec`.
+pub use heapless;

@@ -1,7 +1,7 @@
 //! One directional light.
 
 use crate::scene_error::SceneError;
-use crate::vector::{F32x3, unit, vector};
+use crate::vector::{F32x3, array, unit, vector};
 
 /// A light from far away, and a share that reaches everywhere. Nothing casts a shadow: the light falls on all that faces it.
 ///
@@ -34,6 +34,18 @@ impl Light {
             Some(towards) => Ok(Self { towards, ambient }),
             None => Err(SceneError::LightDirection),
         }
+    }
+
+    /// The direction towards the light, a unit vector.
+    #[must_use]
+    pub const fn towards(&self) -> [f32; 3] {
+        array(self.towards)
+    }
+
+    /// The share of light that reaches every point of a surface, 0 to 1.
+    #[must_use]
+    pub const fn ambient(&self) -> f32 {
+        self.ambient
     }
 
     /// The share of white that a shiny surface adds, given r·v, and n·l of any length.

@@ -2,7 +2,7 @@
 
 use crate::math::const_fn::sin_cos;
 use crate::scene_error::SceneError;
-use crate::vector::{F32x3, dot, finite, scale, unit, vector};
+use crate::vector::{F32x3, array, dot, finite, scale, unit, vector};
 
 /// A position, a rotation and a uniform scale: `world = position + scale·(rotation · object)`.
 ///
@@ -16,6 +16,13 @@ pub struct Pose {
     pub(crate) position: F32x3,
     pub(crate) rotation: Rotation,
     pub(crate) scale: f32,
+}
+
+impl Default for Pose {
+    /// [`Pose::IDENTITY`].
+    fn default() -> Self {
+        Self::IDENTITY
+    }
 }
 
 impl Pose {
@@ -40,6 +47,24 @@ impl Pose {
             return Err(SceneError::Scale);
         }
         Ok(Self { position, rotation, scale })
+    }
+
+    /// Where the origin of the solid's own space is.
+    #[must_use]
+    pub const fn position(&self) -> [f32; 3] {
+        array(self.position)
+    }
+
+    /// How the solid is turned.
+    #[must_use]
+    pub const fn rotation(&self) -> Rotation {
+        self.rotation
+    }
+
+    /// How many times as large as in its own space the solid is.
+    #[must_use]
+    pub const fn scale(&self) -> f32 {
+        self.scale
     }
 
     /// A point of the world in object space.
@@ -75,12 +100,19 @@ impl defmt::Format for Pose {
 ///
 /// const TILT: Rotation = Rotation::about_x(0.5).then(Rotation::about_z(1.0));
 /// let up = TILT.apply([0.0, 0.0, 1.0]);
-/// assert!((up.z - 0.5f32.cos()).abs() < 1e-6);
+/// assert!((up[2] - 0.5f32.cos()).abs() < 1e-6);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation {
     /// The matrix by rows.
     rows: [F32x3; 3],
+}
+
+impl Default for Rotation {
+    /// [`Rotation::IDENTITY`].
+    fn default() -> Self {
+        Self::IDENTITY
+    }
 }
 
 impl Rotation {
@@ -89,18 +121,21 @@ impl Rotation {
         Self { rows: [vector([1.0, 0.0, 0.0]), vector([0.0, 1.0, 0.0]), vector([0.0, 0.0, 1.0])] };
 
     /// About the x axis: y turns towards z.
+    #[must_use]
     pub const fn about_x(angle: f32) -> Self {
         let (s, c) = sin_cos(angle);
         Self { rows: [vector([1.0, 0.0, 0.0]), vector([0.0, c, -s]), vector([0.0, s, c])] }
     }
 
     /// About the y axis: z turns towards x.
+    #[must_use]
     pub const fn about_y(angle: f32) -> Self {
         let (s, c) = sin_cos(angle);
         Self { rows: [vector([c, 0.0, s]), vector([0.0, 1.0, 0.0]), vector([-s, 0.0, c])] }
     }
 
     /// About the z axis: x turns towards y.
+    #[must_use]
     pub const fn about_z(angle: f32) -> Self {
         let (s, c) = sin_cos(angle);
         Self { rows: [vector([c, -s, 0.0]), vector([s, c, 0.0]), vector([0.0, 0.0, 1.0])] }
@@ -127,6 +162,7 @@ impl Rotation {
     }
 
     /// This rotation, then another.
+    #[must_use]
     pub const fn then(self, next: Self) -> Self {
         let [a, b, c] = self.rows;
         let columns = [vector([a.x, b.x, c.x]), vector([a.y, b.y, c.y]), vector([a.z, b.z, c.z])];
@@ -135,8 +171,14 @@ impl Rotation {
     }
 
     /// The vector, turned.
-    pub const fn apply(&self, v: [f32; 3]) -> F32x3 {
-        times(vector(v), self.rows)
+    #[must_use]
+    pub const fn apply(&self, v: [f32; 3]) -> [f32; 3] {
+        array(self.turn(vector(v)))
+    }
+
+    /// As [`Rotation::apply`].
+    pub(crate) const fn turn(&self, v: F32x3) -> F32x3 {
+        times(v, self.rows)
     }
 
     /// The z axis, turned.

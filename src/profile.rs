@@ -71,7 +71,7 @@ pub enum End {
 /// ```
 /// use embedded_lathe::{End, Profile};
 ///
-/// let vase = Profile::<2>::new(
+/// let vase = Profile::<2>::from_squared_radii(
 ///     &[0.0, 0.6, 1.0],
 ///     &[0.04, 0.16, 0.2, 0.14, 0.1, 0.02, 0.07],
 /// )?
@@ -104,7 +104,7 @@ impl<const N: usize> Profile<N> {
     /// [`ProfileError`], which names the knot, the ordinate or the segment at fault. A squared radius may
     /// touch zero but not pass below it, by more than the rounding of its own evaluation, 8 units of 2⁻²⁴ of
     /// the segment's largest ordinate.
-    pub const fn new(knots: &[f32], ordinates: &[f32]) -> Result<Self, ProfileError> {
+    pub const fn from_squared_radii(knots: &[f32], ordinates: &[f32]) -> Result<Self, ProfileError> {
         if knots.len() < 2 {
             return Err(ProfileError::NoSegments);
         }
@@ -192,8 +192,38 @@ impl<const N: usize> Profile<N> {
     }
 
     /// How many segments there are: at least 1, at most N.
+    #[must_use]
     pub const fn segments(&self) -> usize {
         self.len
+    }
+
+    /// The heights of the lower and of the upper end.
+    #[must_use]
+    pub const fn heights(&self) -> [f32; 2] {
+        let (mut heights, mut i) = ([0.0; 2], 0);
+        // `i < N` holds whenever `i < len` does; the compiler knows the former to be in bounds.
+        while i < self.len && i < N {
+            heights = [if i == 0 { self.spans[i].z } else { heights[0] }, self.spans[i].top];
+            i += 1;
+        }
+        heights
+    }
+
+    /// The largest radius, between the knots or at one: the true one or up to 6·10⁻⁷ of it more. Along x a squashed profile
+    /// reaches farther, to that over √k.
+    #[must_use]
+    pub const fn largest_radius(&self) -> f32 {
+        const_fn::sqrt(self.largest())
+    }
+
+    /// The largest squared radius.
+    pub(crate) const fn largest(&self) -> f32 {
+        let (mut largest, mut i) = (0.0, 0);
+        while i < self.len && i < N {
+            largest = self.spans[i].largest.max(largest);
+            i += 1;
+        }
+        largest
     }
 }
 

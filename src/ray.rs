@@ -1,7 +1,7 @@
 //! A ray, checked at the door.
 
 use crate::math::minmax::{greater, lesser};
-use crate::vector::{F32x3, finite, saturated, to_one, vector};
+use crate::vector::{F32x3, array, finite, saturated, scale, to_one, vector};
 use core::fmt;
 
 /// The points `origin + t·direction`. The direction need not be a unit vector: t counts in units of the one
@@ -11,7 +11,7 @@ use core::fmt;
 /// use embedded_lathe::{Ray, RayError};
 ///
 /// let ray = Ray::new([0.0, -2.0, 0.5], [0.0, 2.0, 0.0])?;
-/// assert_eq!(ray.at(0.5).y, -1.0);
+/// assert_eq!(ray.at(0.5), [0.0, -1.0, 0.5]);
 /// assert_eq!(Ray::new([0.0; 3], [0.0; 3]), Err(RayError::NoDirection));
 /// # Ok::<(), RayError>(())
 /// ```
@@ -45,8 +45,18 @@ impl Ray {
     }
 
     /// Where the ray begins.
-    pub const fn origin(&self) -> F32x3 {
-        self.origin
+    #[must_use]
+    pub const fn origin(&self) -> [f32; 3] {
+        array(self.origin)
+    }
+
+    /// The direction, as long as it was given: t counts in units of it.
+    ///
+    /// It is kept with a power of two taken out, so a component that is less than 10⁻³⁷ of the largest may come back
+    /// rounded.
+    #[must_use]
+    pub const fn direction(&self) -> [f32; 3] {
+        array(scale(self.direction, self.unit))
     }
 
     /// A ray whose direction is known to be finite, and no shorter than 1 but for rounding.
@@ -55,7 +65,13 @@ impl Ray {
     }
 
     /// The point at t, finite if t is: of a coordinate beyond f32's range, the largest number with its sign.
-    pub fn at(&self, t: f32) -> F32x3 {
+    #[must_use]
+    pub fn at(&self, t: f32) -> [f32; 3] {
+        array(self.point(t))
+    }
+
+    /// As [`Ray::at`].
+    pub(crate) fn point(&self, t: f32) -> F32x3 {
         let point = self.origin + self.direction * (t * self.unit);
         if finite(point) { point } else { self.far_at(t) }
     }

@@ -10,7 +10,7 @@ use crate::pose::Pose;
 use crate::ray::{Ray, RayError};
 use crate::solve::Bracketed;
 use crate::surface::Surface;
-use crate::vector::{F32x3, Vector, difference, largest, one_norm, vector};
+use crate::vector::{F32x3, Vector, array, difference, largest, one_norm, vector};
 use core::ptr;
 
 /// A turned solid at its place in the world: what it is, where it is, what it looks like.
@@ -91,8 +91,8 @@ impl<'a> Solid<'a> {
 
     /// The point and the normal of a hit, in the world, as [`Lathe::surface`].
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        let seen = self.lathe.surface(&self.ray_into(ray), hit);
-        Surface { point: ray.at(hit.t), normal: self.pose.rotation.apply(seen.normal.to_array()) }
+        let normal = self.lathe.normal(&self.ray_into(ray), hit);
+        Surface { point: ray.at(hit.t), normal: array(self.pose.rotation.turn(normal)) }
     }
 
     /// A ray of the world that goes on from a hit of this solid, as [`Lathe::spawn`]: the offset is
@@ -323,7 +323,7 @@ impl SolidRow<'_> {
         if ptr::eq(solid, self.solid) {
             self.sweep.found(&hit);
         }
-        let gradient = solid.lathe.gradient_at(ray.at(hit.t), &hit);
+        let gradient = solid.lathe.gradient_at(ray.point(hit.t), &hit);
         // Very flat or very tall profiles have gradients whose squares are not numbers.
         let side = if hit.enters { 1.0 } else { -1.0 };
         Some((hit.t, Seen::new(gradient * (side / largest(gradient)))))

@@ -4,7 +4,7 @@ use crate::hit::Hit;
 use crate::lathe::{Lathe, Segment};
 use crate::math::{Math, Native, UNIT_ROUNDOFF};
 use crate::ray::{Ray, RayError};
-use crate::vector::{F32x3, Vector, difference, dot, largest, one_norm, vector};
+use crate::vector::{F32x3, Vector, array, difference, dot, largest, one_norm, vector};
 
 /// A point of a surface.
 ///
@@ -15,43 +15,31 @@ use crate::vector::{F32x3, Vector, difference, dot, largest, one_norm, vector};
 /// let ray = Ray::new([0.0, -3.0, 0.0], [0.0, 1.0, 0.0])?;
 /// let hit = ball.nearest(&ray, 0.0).unwrap();
 /// let seen = ball.surface(&ray, &hit);
-/// assert_eq!(seen.point.to_array(), [0.0, -1.0, 0.0]);
-/// assert_eq!(seen.normal.to_array(), [0.0, -1.0, 0.0]);
+/// assert_eq!(seen.point, [0.0, -1.0, 0.0]);
+/// assert_eq!(seen.normal, [0.0, -1.0, 0.0]);
 /// # Ok::<(), embedded_lathe::RayError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Surface {
     /// The point, in the ray's space.
-    pub point: F32x3,
+    pub point: [f32; 3],
     /// The unit normal, out of the solid. At a pole that comes to a point, where there is none, along the
     /// axis.
-    pub normal: F32x3,
-}
-
-#[cfg(feature = "defmt")]
-impl defmt::Format for Surface {
-    fn format(&self, f: defmt::Formatter) {
-        let (p, n) = (self.point, self.normal);
-        defmt::write!(
-            f,
-            "Surface {{ point: ({}, {}, {}), normal: ({}, {}, {}) }}",
-            p.x,
-            p.y,
-            p.z,
-            n.x,
-            n.y,
-            n.z
-        );
-    }
+    pub normal: [f32; 3],
 }
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// The point and the normal of a hit of this lathe by that ray. Cost: one root, one division, about 50
     /// other operations.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        let point = ray.at(hit.t);
-        let normal = unit(self.gradient_at(point, hit));
-        Surface { point, normal }
+        Surface { point: ray.at(hit.t), normal: array(self.normal(ray, hit)) }
+    }
+
+    /// The unit normal at a hit.
+    #[inline]
+    pub(crate) fn normal(&self, ray: &Ray, hit: &Hit) -> F32x3 {
+        unit(self.gradient_at(ray.point(hit.t), hit))
     }
 
     /// A ray that goes on from a hit of this lathe by `ray`: a reflection, or towards a light. It starts beside the hit's
@@ -93,9 +81,10 @@ const OFFSET: f32 = 16.0 * UNIT_ROUNDOFF;
 impl Surface {
     /// The ray from here, off the surface by what rounding can do to numbers as large as `lengths` and the point.
     pub(crate) fn spawn(self, direction: [f32; 3], lengths: f32) -> Result<Ray, RayError> {
-        let offset = OFFSET * (lengths + one_norm(self.point));
-        let side = self.normal * offset.copysign(dot(self.normal, vector(direction)));
-        Ray::new((self.point + side).to_array(), direction)
+        let (point, normal) = (vector(self.point), vector(self.normal));
+        let offset = OFFSET * (lengths + one_norm(point));
+        let side = normal * offset.copysign(dot(normal, vector(direction)));
+        Ray::new(array(point + side), direction)
     }
 }
 

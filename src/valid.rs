@@ -13,7 +13,7 @@
 /// ```compile_fail
 /// use embedded_lathe::{Lathe, Profile, Segment, valid};
 ///
-/// static WRONG: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::new(&[1.0, 0.0], &[1.0, 1.0, 1.0, 1.0])));
+/// static WRONG: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::from_squared_radii(&[1.0, 0.0], &[1.0, 1.0, 1.0, 1.0])));
 /// // error: evaluation panicked: not above the knot before it, or by too little: knot 1
 /// ```
 ///

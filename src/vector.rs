@@ -1,7 +1,7 @@
 //! Three components in object or world space: micromath's [`F32x3`], and the little of it that a `const`
-//! needs.
+//! needs. Callers of the crate give and get arrays, `[x, y, z]`, whose type belongs to nobody.
 
-pub use micromath::vector::{F32x3, Vector};
+pub(crate) use micromath::vector::{F32x3, Vector};
 
 use crate::math::const_fn;
 use crate::math::minmax::{greater, lesser};
@@ -9,6 +9,11 @@ use crate::math::minmax::{greater, lesser};
 /// The vector of three components.
 pub(crate) const fn vector([x, y, z]: [f32; 3]) -> F32x3 {
     F32x3 { x, y, z }
+}
+
+/// The three components of a vector.
+pub(crate) const fn array(F32x3 { x, y, z }: F32x3) -> [f32; 3] {
+    [x, y, z]
 }
 
 /// Whether no component is infinite or NaN: the exponents of those are all ones.

@@ -25,7 +25,7 @@ fn cubics() -> Vec<[f32; 4]> {
     let pixels = (0..240).step_by(STEP).flat_map(|y| (0..240).step_by(STEP).map(move |x| (x, y)));
     let all = pixels.flat_map(|(x, y)| {
         let ray = scenes::VASE_SCENE.camera.ray(x, y, 240, 240);
-        let ends = [ray.at(0.0), ray.at(1.0)].map(|p| p.to_array().map(f64::from));
+        let ends = [ray.at(0.0), ray.at(1.0)].map(|p| p.map(f64::from));
         let direction = std::array::from_fn(|i| ends[1][i] - ends[0][i]);
         (0..4).filter_map(move |segment| cubic(ends[0], direction, segment))
     });

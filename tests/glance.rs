@@ -64,7 +64,7 @@ fn uneven_lathe(rng: &mut ChaCha8Rng) -> (Lathe<[Segment; 8]>, Vec<f32>, Vec<f32
         }
         let ordinates: Vec<f32> = (0..3 * segments + 1).map(|_| decades(rng)).collect();
         let end = |open| if open { End::Open } else { End::Capped };
-        if let Ok(profile) = Profile::<8>::new(&knots, &ordinates) {
+        if let Ok(profile) = Profile::<8>::from_squared_radii(&knots, &ordinates) {
             let lathe = Lathe::turn(profile.base(end(rng.random())).top(end(rng.random())));
             return (lathe, knots, ordinates);
         }
@@ -99,7 +99,7 @@ fn the_nearest_hit_is_the_first_of_all() {
             hits += 1;
             // From there on, any way.
             let direction = [(); 3].map(|()| even(&mut rng, -4.0, 4.0));
-            let Ok(next) = Ray::new(ray.at(hit.t).to_array(), direction) else { continue };
+            let Ok(next) = Ray::new(ray.at(hit.t), direction) else { continue };
             for ray in [ray, next] {
                 let (nearest, all): (_, Hits) = (lathe.nearest(&ray, 0.0), lathe.hits(&ray, 0.0));
                 assert_eq!(nearest, all.first().copied(), "{what}: {ray:?} at {lathe:?}");
@@ -132,7 +132,14 @@ fn rays_leave_a_needle() {
 #[test]
 fn rays_from_the_surface() {
     let turned = |knots: &[f32], ordinates: &[f32], k: f32, base, top| {
-        Lathe::turn(Profile::<8>::new(knots, ordinates).unwrap().squash(k).unwrap().base(base).top(top))
+        Lathe::turn(
+            Profile::<8>::from_squared_radii(knots, ordinates)
+                .unwrap()
+                .squash(k)
+                .unwrap()
+                .base(base)
+                .top(top),
+        )
     };
     let (open, capped) = (End::Open, End::Capped);
     let wall = [0.30719712, 0.30011117, 0.3097217, 0.3000663, 0.29041085, 0.31072047, 0.28254128];

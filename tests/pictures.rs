@@ -11,7 +11,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use embedded_lathe::{
-    Camera, Lathe, Light, Paint, Pose, Profile, Rgb, Rotation, Scene, SceneError, Segment, Solid, valid,
+    Background, Camera, Lathe, Light, Paint, Pose, Profile, Rgb, Rotation, Scene, SceneError, Segment, Solid,
+    valid,
 };
 
 fn drawn<C: PixelColor + Paint + From<BinaryColor>>(
@@ -384,6 +385,61 @@ fn a_scene_needs_numbers() {
     assert_eq!(Rotation::about([0.0; 3], 1.0), Err(SceneError::Rotation));
 }
 
+/// What solids, poses, cameras, lights and scenes are made of, they give back.
+#[test]
+fn parts_of_a_scene_can_be_asked_for() {
+    let turn = Rotation::about_x(0.4).then(Rotation::about_z(1.0));
+    let pose = Pose::new([1.0, -2.0, 3.0], turn, 0.7).unwrap();
+    assert_eq!((pose.position(), pose.rotation(), pose.scale()), ([1.0, -2.0, 3.0], turn, 0.7));
+    assert_eq!((Pose::default(), Rotation::default()), (Pose::IDENTITY, Rotation::IDENTITY));
+
+    let plain = Solid::new(&scenes::BALL, Rgb::WHITE);
+    assert_eq!((plain.pose(), plain.color(), plain.shininess()), (Pose::IDENTITY, Rgb::WHITE, 0));
+    let solid = plain.posed(pose).colored(scenes::CLAY).shiny(9);
+    assert_eq!((solid.pose(), solid.color(), solid.shininess()), (pose, scenes::CLAY, 9));
+    assert!(core::ptr::eq(solid.lathe(), &scenes::BALL as &Lathe));
+    assert!(solid != plain && solid.posed(Pose::IDENTITY).colored(Rgb::WHITE).shiny(0) == plain);
+
+    let light = Light::new([0.0, -4.0, 3.0], 0.25).unwrap();
+    let [x, y, z] = light.towards();
+    assert!(x == 0.0 && (y + 0.8).abs() < 1e-7 && (z - 0.6).abs() < 1e-7, "{:?}", light.towards());
+    assert_eq!(light.ambient(), 0.25);
+
+    // Looking along y, z upwards: x is to the right.
+    let camera = Camera::perspective([0.5, -2.0, 0.25], [0.5, 1.0, 0.25], [0.0, 0.1, 1.0], 0.375).unwrap();
+    assert_eq!((camera.eye(), camera.forward()), ([0.5, -2.0, 0.25], [0.0, 1.0, 0.0]));
+    let near = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-7);
+    assert!(near(camera.right(), [0.375, 0.0, 0.0]), "{:?}", camera.right());
+    assert!(near(camera.up(), [0.0, 0.0, 0.375]), "{:?}", camera.up());
+
+    let solids = [solid];
+    let scene = Scene::new(&solids, camera, light);
+    assert_eq!((scene.solids, scene.camera, scene.light), (&solids[..], camera, light));
+    assert_eq!((scene.background, Background::default()), (Background::Plain(Rgb::BLACK), Background::BLACK));
+    let mut other =
+        scenes::VASE_SCENE.with_solids(&solids).with_camera(camera).with_background(Background::BLACK);
+    assert!(other != scene && other.with_light(light) == scene);
+    other.light = light;
+    assert_eq!(other, scene);
+}
+
+/// A picture that is no pixel wide has no pixels; the ray through any of them is that through its middle.
+#[test]
+fn a_ray_of_a_picture_of_no_width_is_a_ray() {
+    let eye = [1.0, -2.0, 0.5];
+    let perspective = Camera::perspective(eye, [0.0; 3], [0.0, 0.0, 1.0], 0.3).unwrap();
+    let orthographic = Camera::orthographic(eye, [0.0; 3], [0.0, 0.0, 1.0], 0.3).unwrap();
+    for camera in [perspective, orthographic] {
+        let middle = camera.ray(0, 0, 1, 1);
+        for (x, y, height) in [(0, 0, 0), (0, 0, 9), (7, 3, 9), (u32::MAX, u32::MAX, u32::MAX)] {
+            assert_eq!(camera.ray(x, y, 0, height), middle, "{x}, {y}, {height}");
+        }
+        // No rows: as high as none, so a ray above or below the middle, and one across it.
+        let ray = camera.ray(3, 0, 7, 0);
+        assert!([ray.origin(), ray.direction()].as_flattened().iter().all(|c| c.is_finite()));
+    }
+}
+
 /// Against the standard library's functions, in f64: two roundings of each.
 #[test]
 fn rotations_turn_by_their_angle() {
@@ -393,12 +449,12 @@ fn rotations_turn_by_their_angle() {
         let x = Rotation::about_x(angle).apply([0.0, 1.0, 0.0]);
         let y = Rotation::about_y(angle).apply([0.0, 0.0, 1.0]);
         let z = Rotation::about_z(angle).apply([1.0, 0.0, 0.0]);
-        for (c, s) in [(x.y, x.z), (y.z, y.x), (z.x, z.y)] {
+        for (c, s) in [(x[1], x[2]), (y[2], y[0]), (z[0], z[1])] {
             let off = (f64::from(c) - cos).abs().max((f64::from(s) - sin).abs());
             assert!(off < 2e-7, "{angle}: {off:e}");
         }
         let about = Rotation::about([0.0, 0.0, 2.0], angle).unwrap().apply([1.0, 0.0, 0.0]);
-        assert!((about.x - z.x).abs() < 2e-7 && (about.y - z.y).abs() < 2e-7);
+        assert!((about[0] - z[0]).abs() < 2e-7 && (about[1] - z[1]).abs() < 2e-7);
     }
 }
 

@@ -7,7 +7,7 @@ const KNOTS: [f32; 3] = [0.0, 0.4, 1.0];
 const ORDINATES: [f32; 7] = [0.1, 0.2, 0.3, 0.2, 0.1, 0.1, 0.4];
 
 fn profile(knots: &[f32], ordinates: &[f32]) -> Result<Profile<4>, ProfileError> {
-    Profile::new(knots, ordinates)
+    Profile::from_squared_radii(knots, ordinates)
 }
 
 fn with(numbers: &[f32], at: usize, number: f32) -> Vec<f32> {
@@ -78,11 +78,47 @@ fn as_many_segments_as_are_known_at_run_time() {
     for segments in 1..=64_usize {
         let knots: heapless::Vec<f32, 65> = (0..=segments).map(|i| i as f32 / segments as f32).collect();
         let ordinates: heapless::Vec<f32, 193> = (0..=3 * segments).map(|_| 1.0).collect();
-        let profile = Profile::<64>::new(&knots, &ordinates).unwrap();
+        let profile = Profile::<64>::from_squared_radii(&knots, &ordinates).unwrap();
         assert_eq!(profile.segments(), segments);
         let lathe = Lathe::turn(profile);
         let hit = lathe.nearest(&Ray::new([0.0, -3.0, 0.999], [0.0, 1.0, 0.0]).unwrap(), 0.0).unwrap();
         assert_eq!((hit.t, hit.segment), (2.0, segments - 1));
+    }
+}
+
+/// As `heights` and `largest_radius` promise, of a profile and of the lathe made of it.
+#[test]
+fn extents_are_those_of_the_outline() {
+    // A barrel: radius² is 1 at its ends, and 1.75 half way up its only segment.
+    let barrel = |z: f32, height: f32| {
+        Profile::<3>::from_squared_radii(&[z, z + height], &[1.0, 2.0, 2.0, 1.0]).unwrap()
+    };
+    let off = |radius: f32| f64::from(radius) / 1.75_f64.sqrt() - 1.0;
+    for (z, height) in [(0.0, 1.0), (-0.3, 0.7), (1000.1, 0.3), (-70.7, 91.3), (1e-7, 3e-7)] {
+        let profile = barrel(z, height);
+        let lathe = Lathe::turn(profile);
+        assert_eq!((profile.heights(), profile.segments()), ([z, z + height], 1));
+        assert_eq!(lathe.segments(), 1);
+        assert!((0.0..=6e-7).contains(&off(profile.largest_radius())), "{:e}", off(profile.largest_radius()));
+        assert!(off(lathe.largest_radius()).abs() <= 1e-6, "{:e}", off(lathe.largest_radius()));
+        let [low, high] = profile.heights();
+        for (found, is) in lathe.heights().into_iter().zip([low, high]) {
+            assert!((found - is).abs() <= low.abs().max(high.abs()) / 8_388_608.0, "{found} for {is}");
+        }
+    }
+    let two = profile(&KNOTS, &ORDINATES).unwrap();
+    assert_eq!((two.heights(), two.segments(), Lathe::turn(two).segments()), ([0.0, 1.0], 2, 2));
+}
+
+/// A ray gives back the numbers it was made of, however large, unless one is lost beside another.
+#[test]
+fn a_ray_has_the_direction_it_was_given() {
+    for scale in [1.0, 0.1, 1e-20, 3e-38, 1e30, f32::MAX] {
+        for direction in [[1.0, -0.5, 0.3], [0.0, 0.0, -1.0], [1e-3, 1.0, 1e-6]] {
+            let direction = direction.map(|c: f32| c * scale);
+            let ray = Ray::new([1.0, 2.0, 3.0], direction).unwrap();
+            assert_eq!((ray.origin(), ray.direction()), ([1.0, 2.0, 3.0], direction));
+        }
     }
 }
 
@@ -133,7 +169,7 @@ fn radii_and_slopes_make_ordinates() {
         let two_thirds = 2.0 / 3.0 * (high - low);
         let ordinates =
             [r0 * r0, r0 * r0 + two_thirds * r0 * slope0, r1 * r1 - two_thirds * r1 * slope1, r1 * r1];
-        Lathe::turn(Profile::<1>::new(&[low, high], &ordinates).unwrap())
+        Lathe::turn(Profile::<1>::from_squared_radii(&[low, high], &ordinates).unwrap())
     };
     let heights = (0.25, 1.0);
     has_radius("cone", &lathe(heights, [(1.5, -1.0), (0.75, -1.0)]), heights, |z| 1.75 - z);
@@ -187,14 +223,19 @@ fn a_ray_needs_numbers_and_a_direction() {
 fn scale_does_not_matter() {
     for solid in [-40, -20, 0, 20, 40] {
         let size = 2_f32.powi(solid);
-        let profile = Profile::<1>::new(&[0.0, size], &[0.5, 0.7, 0.2, 0.4].map(|b: f32| b * size * size));
+        let profile = Profile::<1>::from_squared_radii(
+            &[0.0, size],
+            &[0.5, 0.7, 0.2, 0.4].map(|b: f32| b * size * size),
+        );
         let lathe = Lathe::turn(profile.unwrap().closed());
         for direction in [-60, -3, 0, 3, 60] {
             let length = 2_f32.powi(direction);
             let origin = [0.2, -3.0, 0.3].map(|c: f32| c * size);
             let ray = Ray::new(origin, [0.1, 1.0, 0.05].map(|c: f32| c * length)).unwrap();
             let hit = lathe.nearest(&ray, 0.0).unwrap();
-            let unit = Lathe::turn(Profile::<1>::new(&[0.0, 1.0], &[0.5, 0.7, 0.2, 0.4]).unwrap().closed());
+            let unit = Lathe::turn(
+                Profile::<1>::from_squared_radii(&[0.0, 1.0], &[0.5, 0.7, 0.2, 0.4]).unwrap().closed(),
+            );
             let same = unit.nearest(&Ray::new([0.2, -3.0, 0.3], [0.1, 1.0, 0.05]).unwrap(), 0.0).unwrap();
             // Powers of two: the very same bits.
             assert_eq!((hit.t * length / size, hit.u), (same.t, same.u), "2^{solid}, 2^{direction}");
@@ -215,8 +256,8 @@ fn any_bits_of_a_ray_will_do() {
         for hit in lathe.hits::<14>(&ray, t_min) {
             met += 1;
             assert!(hit.t > t_min && (0.0..=1.0).contains(&hit.u), "{ray:?} {hit:?}");
-            let normal = lathe.surface(&ray, &hit).normal;
-            assert!((normal.x * normal.x + normal.y * normal.y + normal.z * normal.z - 1.0).abs() < 1e-6);
+            let [x, y, z] = lathe.surface(&ray, &hit).normal;
+            assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
         }
     }
     assert!(met > 100, "{met}");

@@ -38,7 +38,7 @@ impl Known<'_> {
         let seen = hits.iter().filter(|(hit, ..)| hit.t <= nearest * (1.0 + 8.0 * f32::EPSILON));
         let length = self.towards.iter().map(|c| c * c).sum::<f32>().sqrt();
         let colors = seen.map(|(hit, solid, color)| {
-            let normal = solid.surface(ray, hit).normal.to_array();
+            let normal = solid.surface(ray, hit).normal;
             let side = if hit.enters { 1.0 } else { -1.0 };
             let nl = side * (0..3).map(|i| normal[i] * self.towards[i]).sum::<f32>() / length;
             let share = self.ambient + (1.0 - self.ambient) * nl.max(0.0);
@@ -226,7 +226,7 @@ fn the_first_of_two_in_one_place_is_seen() {
 /// Three balls as far away, side by side, are all seen.
 #[test]
 fn all_of_three_as_far_away_are_seen() {
-    let [left, right] = [-0.4, 0.4].map(|angle| Rotation::about_z(angle).apply([0.0, 4.0, 0.0]).to_array());
+    let [left, right] = [-0.4, 0.4].map(|angle| Rotation::about_z(angle).apply([0.0, 4.0, 0.0]));
     let ball = |place| {
         let pose = Pose::new(place, Rotation::IDENTITY, 1.0).unwrap();
         Solid::new(&scenes::BALL, Rgb::WHITE).posed(pose)
@@ -249,7 +249,10 @@ fn what_is_within_another_solid_is_hidden() {
     let column = Lathe::turn(Profile::<1>::cylinder(1.0, 100.0).unwrap());
     let coin = Lathe::turn(Profile::<1>::cylinder(1.0, 1.0).unwrap());
     let slab = Lathe::turn(Profile::<1>::cylinder(2.0, 0.37).unwrap());
-    let closed = Profile::<1>::new(&[0.3, 0.35], &[0.09; 4]).unwrap().base(End::Capped).top(End::Capped);
+    let closed = Profile::<1>::from_squared_radii(&[0.3, 0.35], &[0.09; 4])
+        .unwrap()
+        .base(End::Capped)
+        .top(End::Capped);
     let thin = Lathe::turn(closed);
     let pose = |place, rotation, scale| Pose::new(place, rotation, scale).unwrap();
     let upright = |place, scale| pose(place, Rotation::IDENTITY, scale);
@@ -385,7 +388,7 @@ fn exact_views_are_those_of_single_rays() {
 fn edges_all_but_sharp_are_those_of_single_rays() {
     let [knots, stalk] = [[-0.3, 0.0, 3e-5, 0.30003], [0.23228319; 4]];
     let plate = [&stalk[..], &[0.8, 1.1804416, 0.99, 0.6, 0.5, 0.4]].concat();
-    let plate = Lathe::turn(Profile::<3>::new(&knots, &plate).unwrap().closed());
+    let plate = Lathe::turn(Profile::<3>::from_squared_radii(&knots, &plate).unwrap().closed());
     let (eye, at) = ([-0.7208667, -3.0, -1.2772677], [0.0, 0.0, 0.1]);
     let cameras = [
         Camera::perspective(eye, at, [0.2, 0.0, 1.0], 0.4),
@@ -403,7 +406,8 @@ fn edges_all_but_sharp_are_those_of_single_rays() {
 #[test]
 fn a_waist_seen_from_within_is_that_of_single_rays() {
     let glass = [1.0, 0.7, 0.4, 0.1, 0.4, 0.7, 1.0];
-    let glass = Profile::<2>::new(&[-1.0, 0.0, 1.0], &glass).unwrap().base(End::Capped).top(End::Open);
+    let glass =
+        Profile::<2>::from_squared_radii(&[-1.0, 0.0, 1.0], &glass).unwrap().base(End::Capped).top(End::Open);
     let glass = Lathe::turn(glass);
     let mut difference = Difference::default();
     for (eye, width) in [([0.0, -1.0, 4.0], 0.4), ([0.0, -2.0, 3.0], 0.4), ([0.0, -3.0, 3.0], 0.4)] {
@@ -445,7 +449,7 @@ fn a_cylinder_lying_down_is_that_of_single_rays() {
 fn a_solid_whose_middle_is_rounded_is_that_of_single_rays() {
     let [low, high] = [1000.0001, 1000.0003];
     let ring = [1.926_030_7e-10, 1.926_030_7e-10, 2.416_913_6e-10, 1.901_072_1e-10];
-    let ring = Lathe::turn(Profile::<1>::new(&[low, high], &ring).unwrap().base(End::Capped));
+    let ring = Lathe::turn(Profile::<1>::from_squared_radii(&[low, high], &ring).unwrap().base(End::Capped));
     let eye = [0.005_867_148_3, -0.005_859_375, low];
     let at = [eye[0] - 1.0, eye[1] + 1.0, low];
     let camera = Camera::perspective(eye, at, [1.0, 1.0, 0.0], 0.001).unwrap();
@@ -487,7 +491,7 @@ fn a_ball_lost_in_rounding_is_that_of_single_rays() {
 fn rays_from_a_rim_are_those_of_single_rays() {
     let ordinates = [0.516_344_8, 0.100_530_04, 0.287_232_82, 0.225_039_26];
     let low = -0.649_274_23;
-    let profile = Profile::<1>::new(&[low, 0.119_349_12], &ordinates).unwrap();
+    let profile = Profile::<1>::from_squared_radii(&[low, 0.119_349_12], &ordinates).unwrap();
     let lathe = Lathe::turn(profile.base(End::Open).top(End::Open));
     let (eye, at) = ([0.0, -0.718_571_36, low], [0.0, 0.0, low]);
     let camera = Camera::perspective(eye, at, [1.0, 0.0, 1.0], 0.001).unwrap();
@@ -499,7 +503,7 @@ fn rays_from_a_rim_are_those_of_single_rays() {
 fn an_eye_at_a_needles_cap_sees_what_single_rays_do() {
     let [low, high] = [-348.29932, 3958.5442];
     let ordinates = [0.25595456, 0.25595456, 0.084514335, 0.47793397, 0.50057364, 0.14882949, 0.38656664];
-    let needle = Profile::<2>::new(&[low, 1527.9675, high], &ordinates).unwrap();
+    let needle = Profile::<2>::from_squared_radii(&[low, 1527.9675, high], &ordinates).unwrap();
     let needle = Lathe::turn(needle.base(End::Capped).top(End::Capped));
     let (eye, at) = ([0.0, 0.0, -348.29944], [0.004_974_44, 0.016_966_347, -248.29944]);
     let camera = Camera::orthographic(eye, at, [1.0, 0.0, 0.0], 0.735_974_67).unwrap();
@@ -522,7 +526,7 @@ fn where_a_wall_has_no_slope_it_has_a_normal() {
         1.882_505_9,
         0.0,
     ];
-    let sheet = Profile::<3>::new(&knots, &wall).unwrap().squash(0.0).unwrap();
+    let sheet = Profile::<3>::from_squared_radii(&knots, &wall).unwrap().squash(0.0).unwrap();
     let sheet = Lathe::turn(sheet.base(End::Open).top(End::Open));
     let pose = Pose::new([1.243_113_5, -0.191_487_79, -0.196_320_53], Rotation::IDENTITY, 1.0).unwrap();
     let solids = [Solid::new(&sheet, Rgb::WHITE).posed(pose)];
@@ -539,7 +543,7 @@ fn where_a_wall_has_no_slope_it_has_a_normal() {
         for x in 0..33 {
             let ray = camera.ray(x, y, 33, 33);
             let Some(hit) = solids[0].nearest(&ray, 0.0) else { continue };
-            let normal = solids[0].surface(&ray, &hit).normal.to_array();
+            let normal = solids[0].surface(&ray, &hit).normal;
             assert!((normal.iter().map(|c| c * c).sum::<f32>() - 1.0).abs() < 1e-6, "{normal:?}");
             seen += 1;
         }
@@ -550,7 +554,10 @@ fn where_a_wall_has_no_slope_it_has_a_normal() {
 /// Rays so nearly level that they come into an open end's plane far outside the solid.
 #[test]
 fn rays_nearly_level_with_an_open_end_are_those_of_single_rays() {
-    let cone = Profile::<1>::new(&[0.0, 0.65], &[0.74, 0.43, 0.22, 0.1]).unwrap().closed().top(End::Open);
+    let cone = Profile::<1>::from_squared_radii(&[0.0, 0.65], &[0.74, 0.43, 0.22, 0.1])
+        .unwrap()
+        .closed()
+        .top(End::Open);
     let cone = Lathe::turn(cone);
     let mut difference = Difference::default();
     for part in 0..40 {
@@ -617,7 +624,7 @@ fn tiny_solids_are_seen() {
         let (x, y) = (rng.random_range(0..side), rng.random_range(0..side));
         let (ray, next) = (camera.ray(x, y, side, side), camera.ray((x + 1) % side, y, side, side));
         let t = even(&mut rng, 1.0, 6.0);
-        let [place, beside] = [ray, next].map(|ray| ray.at(t).to_array());
+        let [place, beside] = [ray, next].map(|ray| ray.at(t));
         let pixel = (0..3).map(|i| (place[i] - beside[i]).powi(2)).sum::<f32>().sqrt().min(0.05);
         let size = pixel * 10_f32.powf(even(&mut rng, -2.0, 0.0));
         let tiny = Pose::new(place, Rotation::IDENTITY, size).unwrap();

@@ -47,7 +47,7 @@ const WIDTH: usize = 128;
 fn vase(angle: f32) -> Option<Solid<'static>> {
     let turn = Rotation::about_x(0.6).then(Rotation::about_z(angle));
     let foot = turn.apply([0.0, 0.0, -0.5]);
-    let pose = Pose::new(foot.to_array(), turn, 1.0).ok()?;
+    let pose = Pose::new(foot, turn, 1.0).ok()?;
     Some(Solid::new(&scenes::VASE, Rgb::gray(0.95)).posed(pose))
 }
 
@@ -57,6 +57,6 @@ fn pawn(angle: f32) -> Option<[Solid<'static>; 2]> {
     let pose = |place, scale| Pose::new(place, Rotation::IDENTITY, scale).ok();
     Some([
         Solid::new(&scenes::PAWN, Rgb::gray(0.9)).posed(pose([0.0, 0.0, -0.5], 1.0)?).shiny(20),
-        Solid::new(&scenes::BALL, Rgb::gray(0.7)).posed(pose(ball.to_array(), 0.7)?).shiny(40),
+        Solid::new(&scenes::BALL, Rgb::gray(0.7)).posed(pose(ball, 0.7)?).shiny(40),
     ])
 }

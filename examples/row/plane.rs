@@ -5,7 +5,7 @@
 
 use crate::scenes::{VASE, VASE_SCENE};
 use embedded_graphics::pixelcolor::Rgb888;
-use embedded_lathe::{F32x3, Ray, Vector};
+use embedded_lathe::Ray;
 
 pub type Point = [f32; 2];
 
@@ -18,9 +18,9 @@ pub const ROW: u32 = 29;
 /// Rays that find the silhouettes, a pixel; odd, so that a row of them lies in the plane.
 const FINE: u32 = 201;
 
-fn flat(p: F32x3) -> Point {
-    let eye = VASE_SCENE.camera.ray(0, 0, 1, 1).origin();
-    [(p.y - eye.y).hypot(p.z - eye.z), p.x]
+fn flat([x, y, z]: [f32; 3]) -> Point {
+    let [_, eye_y, eye_z] = VASE_SCENE.camera.eye();
+    [(y - eye_y).hypot(z - eye_z), x]
 }
 
 /// Of pixels, each cut into `cuts` by `cuts`, the i-th in the row's middle.
@@ -54,12 +54,13 @@ pub fn outline() -> Vec<Point> {
     let centre = ray(PIXELS * FINE / 2, FINE);
     let hits = VASE.hits::<14>(&centre, 0.0);
     let [front, back] = [hits.first(), hits.last()].map(|hit| centre.at(hit.expect("it is met").t));
-    let (middle, depth) = ((front + back) * 0.5, back - front);
+    let middle = std::array::from_fn(|i| 0.5 * (front[i] + back[i]));
+    let [_, y, z] = std::array::from_fn(|i| back[i] - front[i]);
     let leave = |step: u16| {
         let (sin, cos) = f32::from(step).to_radians().sin_cos();
-        let length = depth.dot(depth).sqrt();
-        let direction = [sin, depth.y / length * cos, depth.z / length * cos];
-        root(&Ray::new(middle.to_array(), direction).ok()?)
+        let length = f32::hypot(y, z);
+        let direction = [sin, y / length * cos, z / length * cos];
+        root(&Ray::new(middle, direction).ok()?)
     };
     (0..360).filter_map(leave).collect()
 }

@@ -46,7 +46,7 @@ const fn mix(a: f32, b: f32, u: f32) -> f32 {
 
 /// The vase in 64 segments.
 pub static VASE: Lathe<[Segment; SEGMENTS]> =
-    Lathe::turn(valid!(Profile::new(&KNOTS, &ORDINATES)).base(End::Capped));
+    Lathe::turn(valid!(Profile::from_squared_radii(&KNOTS, &ORDINATES)).base(End::Capped));
 
 /// In the vase's place.
 pub static SCENE: Scene = VASE_SCENE.with_solids(&[Solid::new(&VASE, CLAY)]);

@@ -22,11 +22,11 @@ pub const VASE_ORDINATES: [f32; 13] = [
 
 /// A vase, open at the top.
 pub static VASE: Lathe<[Segment; 4]> =
-    Lathe::turn(valid!(Profile::new(&VASE_KNOTS, &VASE_ORDINATES)).base(End::Capped));
+    Lathe::turn(valid!(Profile::from_squared_radii(&VASE_KNOTS, &VASE_ORDINATES)).base(End::Capped));
 
 /// A chess pawn: a foot, a collar and a head, cylinders, cones and a sphere, each exact.
 pub static PAWN: Lathe<[Segment; 4]> = Lathe::turn(
-    valid!(Profile::new(
+    valid!(Profile::from_squared_radii(
         &[0.0, 0.12, 0.55, 0.62, 0.94],
         &[
             0.0484,
@@ -91,12 +91,13 @@ pub static BOWL_SCENE: Scene = Scene::new(
 
 /// An open bowl with a foot and a lip.
 pub static BOWL: Lathe<[Segment; 2]> = Lathe::turn(
-    valid!(Profile::new(&[0.0, 0.08, 0.5], &[0.05, 0.05, 0.03, 0.03, 0.3, 0.25, 0.36])).base(End::Capped),
+    valid!(Profile::from_squared_radii(&[0.0, 0.08, 0.5], &[0.05, 0.05, 0.03, 0.03, 0.3, 0.25, 0.36]))
+        .base(End::Capped),
 );
 
 /// A knob with a rounded edge and a flat top.
 pub static KNOB: Lathe<[Segment; 2]> = Lathe::turn(
-    valid!(Profile::new(&[0.0, 0.3, 0.38], &[0.25, 0.25, 0.25, 0.25, 0.25, 0.24, 0.2]))
+    valid!(Profile::from_squared_radii(&[0.0, 0.3, 0.38], &[0.25, 0.25, 0.25, 0.25, 0.25, 0.24, 0.2]))
         .base(End::Capped)
         .top(End::Capped),
 );

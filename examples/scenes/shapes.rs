@@ -11,7 +11,7 @@ const fn stepped(riser: f32) -> Lathe<[Segment; 4]> {
         0.13, 0.13, 0.13, //
         0.13, 0.13, 0.12, 0.1,
     ];
-    match Profile::new(&knots, &ordinates) {
+    match Profile::from_squared_radii(&knots, &ordinates) {
         Ok(profile) => Lathe::turn(profile.closed()),
         Err(error) => error.stop(),
     }
@@ -36,7 +36,8 @@ pub static RISERS: [Scene; 4] = [
 
 /// The inside of a bowl's wall, 0.03 to 0.05 thick.
 static INNER: Lathe<[Segment; 2]> = Lathe::turn(
-    valid!(Profile::new(&[0.03, 0.11, 0.5], &[0.0, 0.01, 0.01, 0.012, 0.25, 0.21, 0.31])).base(End::Open),
+    valid!(Profile::from_squared_radii(&[0.03, 0.11, 0.5], &[0.0, 0.01, 0.01, 0.012, 0.25, 0.21, 0.31]))
+        .base(End::Open),
 );
 
 const OUTER_WALL: Solid = Solid::new(&BOWL, Rgb::new(0.3, 0.6, 0.7)).shiny(30);
@@ -71,7 +72,7 @@ const fn ripples() -> Lathe<[Segment; RIPPLES]> {
         }
         i += 1;
     }
-    match Profile::new(&knots, &ordinates) {
+    match Profile::from_squared_radii(&knots, &ordinates) {
         Ok(profile) => Lathe::turn(profile.closed()),
         Err(error) => error.stop(),
     }
@@ -86,7 +87,7 @@ const fn through(axis: [f32; 3], angle: f32, color: Rgb) -> Solid<'static> {
     };
     // About the solid's middle.
     let up = rotation.apply([0.0, 0.0, -0.5]);
-    match Pose::new([up.x, up.y, up.z], rotation, 1.0) {
+    match Pose::new(up, rotation, 1.0) {
         Ok(pose) => Solid::new(&RIPPLED, color).posed(pose),
         Err(error) => error.stop(),
     }

@@ -76,6 +76,6 @@ fn main() -> ! {
 fn leaning(n: u32) -> Option<Solid<'static>> {
     let turn = Rotation::about_x(0.5).then(Rotation::about_z(n as f32 * (TAU / FRAMES as f32)));
     let foot = turn.apply([0.0, 0.0, -0.5]);
-    let pose = Pose::new([foot.x, foot.y, foot.z + 0.5], turn, 1.0).ok()?;
+    let pose = Pose::new([foot[0], foot[1], foot[2] + 0.5], turn, 1.0).ok()?;
     Some(Solid::new(&scenes::VASE, scenes::CLAY).posed(pose))
 }

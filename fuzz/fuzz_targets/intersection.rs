@@ -40,7 +40,7 @@ fuzz_target!(|input: Input| {
         }
     }
     let k = f32::from(input.squash) / 255.0;
-    let valid = Profile::<16>::new(&knots, &ordinates);
+    let valid = Profile::<16>::from_squared_radii(&knots, &ordinates);
     if valid.is_err() {
         return;
     }

@@ -18,7 +18,7 @@ pub type Turned = Lathe<[Segment; 16]>;
 pub type Roots = fn(&[f32; 4]) -> [f32; 3];
 
 pub fn turned(outline: &Outline) -> Turned {
-    let profile = Profile::new(&outline.knots, &outline.ordinates);
+    let profile = Profile::from_squared_radii(&outline.knots, &outline.ordinates);
     let squashed = profile.and_then(|profile| profile.squash(outline.k));
     Lathe::turn(squashed.unwrap_or_else(|error| panic!("{error}: {outline:?}")))
 }

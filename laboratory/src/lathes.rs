@@ -10,7 +10,7 @@ pub const CAPACITY: usize = 3 * SEGMENTS + 2;
 
 pub fn lathe(outline: &Outline) -> Lathe<[Segment; SEGMENTS]> {
     let end = |closed| if closed { End::Capped } else { End::Open };
-    let profile = Profile::new(&outline.knots, &outline.ordinates)
+    let profile = Profile::from_squared_radii(&outline.knots, &outline.ordinates)
         .and_then(|profile| profile.squash(outline.k))
         .expect(outline.name);
     Lathe::turn(profile.base(end(outline.base_closed)).top(end(outline.top_closed)))

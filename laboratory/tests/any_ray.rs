@@ -25,7 +25,8 @@ fn every_lathe() -> Vec<Turned> {
                     outline.knots.iter().map(|z| z * tall).collect::<Vec<f32>>(),
                     outline.ordinates.iter().map(|b| b * wide * wide).collect::<Vec<f32>>(),
                 );
-                let Ok(profile) = Profile::new(&knots, &ordinates).and_then(|profile| profile.squash(k))
+                let Ok(profile) =
+                    Profile::from_squared_radii(&knots, &ordinates).and_then(|profile| profile.squash(k))
                 else {
                     continue;
                 };
@@ -136,7 +137,7 @@ fn no_answer_is_nan() {
     let mut seen = 0;
     every_ray(|rng, lathe, ray| {
         let far = number(rng);
-        assert!(ray.at(far).to_array().iter().all(|c| c.is_finite()), "{ray:?} at {far}");
+        assert!(ray.at(far).iter().all(|c| c.is_finite()), "{ray:?} at {far}");
         let pose = Pose::new(
             [(); 3].map(|()| number(rng)),
             Rotation::about_x(rng.random_range(-3.0..3.0))
@@ -147,19 +148,16 @@ fn no_answer_is_nan() {
         let posed = solid.posed(pose.unwrap());
         for hit in lathe.hits::<CAPACITY>(ray, any_start(rng)) {
             let met = lathe.surface(ray, &hit);
-            let is_finite = met.point.to_array().iter().all(|c| c.is_finite());
-            assert!(
-                is_finite && is_unit(met.normal.to_array()),
-                "{met:?} of {hit:?} by {ray:?} at {lathe:?}"
-            );
+            let is_finite = met.point.iter().all(|c| c.is_finite());
+            assert!(is_finite && is_unit(met.normal), "{met:?} of {hit:?} by {ray:?} at {lathe:?}");
             seen += 1;
         }
         for solid in [solid, posed] {
             let Some(hit) = solid.nearest(ray, 0.0) else { continue };
             let met = solid.surface(ray, &hit);
-            let is_finite = met.point.to_array().iter().all(|c| c.is_finite());
+            let is_finite = met.point.iter().all(|c| c.is_finite());
             assert!(
-                hit.t.is_finite() && is_finite && is_unit(met.normal.to_array()),
+                hit.t.is_finite() && is_finite && is_unit(met.normal),
                 "{met:?} of {hit:?} by {ray:?} at {solid:?}"
             );
             seen += 1;
@@ -175,8 +173,8 @@ fn a_normal_from_beyond_all_digits() {
     let ray = Ray::new([0.0, f32::MAX, 5e14], [0.0, -1.003e37, 0.0]).unwrap();
     let hit = drum.nearest(&ray, 0.0).expect("the wall");
     let met = drum.surface(&ray, &hit);
-    assert!(met.point.to_array().iter().all(|c| c.is_finite()), "{met:?}");
-    assert_eq!(met.normal.to_array().map(f32::abs), [0.0, 1.0, 0.0]);
+    assert!(met.point.iter().all(|c| c.is_finite()), "{met:?}");
+    assert_eq!(met.normal.map(f32::abs), [0.0, 1.0, 0.0]);
 }
 
 /// A profile a ten-millionth as high as wide, met from beyond a `t_min` that lies among its crossings.
@@ -188,7 +186,7 @@ fn a_flat_profile_is_hit_by_all_or_by_none() {
         0x41b777db, 0x42885e3c, 0x42ad25dd, 0x425a153c, 0x41cf1f64, 0x429a38e4, 0x396135ba, 0, 0x3f118165,
         0x41425efb,
     ];
-    let profile = Profile::new(&knots, &ordinates.map(f)).unwrap().top(End::Capped);
+    let profile = Profile::from_squared_radii(&knots, &ordinates.map(f)).unwrap().top(End::Capped);
     let ray = Ray::new([1.2721038e-8, 1.181181, 1.8853217], [-0.99114305, 0.7079169, -0.6722731]).unwrap();
     asked(&Lathe::turn(profile), &ray, -0.1373758);
 }

@@ -189,7 +189,7 @@ fn normals_point_out_of_the_solid() {
     every_shot(|shot| {
         for hit in shot.lathe.hits::<CAPACITY>(&shot.ray, shot.case.cast.t_min) {
             let Surface { point, normal } = shot.lathe.surface(&shot.ray, &hit);
-            let (point, normal) = (point.to_array().map(f64::from), normal.to_array().map(f64::from));
+            let (point, normal) = (point.map(f64::from), normal.map(f64::from));
             let length = normal.iter().map(|c| c * c).sum::<f64>();
             assert!((length - 1.0).abs() < 8.0 * (-24_f64).exp2(), "{normal:?} {}", shot.case);
             let down = match hit.part {

@@ -59,12 +59,12 @@ fn a_spawned_ray_leaves_its_surface() {
             let ray = Ray::new(case.cast.origin, case.cast.direction).unwrap();
             let Some(hit) = lathe.nearest(&ray, case.cast.t_min) else { continue };
             let met = lathe.surface(&ray, &hit);
-            let point = met.point.to_array();
+            let point = met.point;
             for _ in 0..4 {
                 let towards = direction(&mut rng);
                 let next = lathe.spawn(&ray, &hit, towards).unwrap();
                 let nearest = lathe.nearest(&next, 0.0);
-                let origin = wide(next.origin().to_array());
+                let origin = wide(next.origin());
                 // No farther away than the bound says.
                 let offset = (0..3).map(|i| (origin[i] - f64::from(point[i])).powi(2)).sum::<f64>().sqrt();
                 let [x, y, z] = wide(case.cast.origin);
@@ -74,7 +74,7 @@ fn a_spawned_ray_leaves_its_surface() {
                 assert!(offset <= 16.5 * (-24_f64).exp2() * lengths, "{offset} of {lengths}\n{case}");
 
                 spawned += 1;
-                let normal = wide(met.normal.to_array());
+                let normal = wide(met.normal);
                 let is_outward = (0..3).map(|i| normal[i] * f64::from(towards[i])).sum::<f64>() > 0.0;
                 assert!(!(is_convex && is_outward && nearest.is_some()), "{nearest:?} by {next:?}\n{case}");
                 let [x, y, z] = origin;
@@ -123,7 +123,7 @@ fn shadows_among_solids() {
             let normal = solid.surface(&ray, &hit).normal;
             let towards = direction(&mut rng);
             let next = solid.spawn(&ray, &hit, towards).unwrap();
-            let cos = (0..3).map(|i| towards[i] * normal.to_array()[i]).sum::<f32>();
+            let cos = (0..3).map(|i| towards[i] * normal[i]).sum::<f32>();
             // Beside a rim either side is near.
             let is_met = solid.is_hit(&next, 0.0);
             if hit.part == Part::Wall && (0.01..0.99).contains(&hit.u) {

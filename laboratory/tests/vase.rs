@@ -36,8 +36,8 @@ fn the_oracle_sees_the_same_vase() {
             let turn = |v: [f64; 3]| {
                 [v[0], v[1] * back.cos() - v[2] * back.sin(), v[1] * back.sin() + v[2] * back.cos()]
             };
-            let origin = ray.origin().to_array().map(f64::from);
-            let towards = ray.at(1.0).to_array().map(f64::from);
+            let origin = ray.origin().map(f64::from);
+            let towards = ray.at(1.0).map(f64::from);
             let direction = std::array::from_fn(|i| towards[i] - origin[i]);
             let ray = oracle::Ray { origin: turn(origin), direction: turn(direction), t_min: 0.0 };
             // The direction is what is left of a sum of about 3, and is 3 long before it meets the vase; 4

@@ -1,13 +1,9 @@
 use crate::math::minmax::{greater, lesser};
 use crate::profile::Span;
 
-/// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn); its size is
-/// what a user needs to know.
+/// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn).
 ///
-/// ```
-/// use embedded_lathe::Segment;
-/// assert_eq!(core::mem::size_of::<Segment>(), 76);
-/// ```
+/// In this version a segment takes 76 bytes of flash, or of memory if it is not a `static`; others may differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Segment {

@@ -5,7 +5,7 @@ use core::fmt;
 /// ```
 /// use embedded_lathe::{Profile, ProfileError};
 ///
-/// let dips = Profile::<1>::new(&[0.0, 1.0], &[0.1, -0.4, 0.1, 0.1]);
+/// let dips = Profile::<1>::from_squared_radii(&[0.0, 1.0], &[0.1, -0.4, 0.1, 0.1]);
 /// assert_eq!(dips, Err(ProfileError::Negative { segment: 0 }));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ impl Profile<1> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], as [`Profile::new`].
+    /// [`ProfileError`], as [`Profile::from_squared_radii`].
     pub const fn cylinder(radius: f32, height: f32) -> Result<Self, ProfileError> {
         Self::frustum(radius, radius, height)
     }
@@ -15,7 +15,7 @@ impl Profile<1> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], as [`Profile::new`].
+    /// [`ProfileError`], as [`Profile::from_squared_radii`].
     pub const fn cone(radius: f32, height: f32) -> Result<Self, ProfileError> {
         Self::frustum(radius, 0.0, height)
     }
@@ -25,7 +25,7 @@ impl Profile<1> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], as [`Profile::new`].
+    /// [`ProfileError`], as [`Profile::from_squared_radii`].
     pub const fn frustum(base: f32, top: f32, height: f32) -> Result<Self, ProfileError> {
         // r = base·(1 − u) + top·u
         Self::quadratic(0.0, height, [base * base, base * top, top * top])
@@ -35,7 +35,7 @@ impl Profile<1> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], as [`Profile::new`].
+    /// [`ProfileError`], as [`Profile::from_squared_radii`].
     pub const fn sphere(radius: f32) -> Result<Self, ProfileError> {
         Self::spheroid(radius, radius)
     }
@@ -44,7 +44,7 @@ impl Profile<1> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], as [`Profile::new`].
+    /// [`ProfileError`], as [`Profile::from_squared_radii`].
     pub const fn spheroid(radius: f32, half_height: f32) -> Result<Self, ProfileError> {
         // r² = radius²·4·u·(1 − u)
         Self::quadratic(-half_height, half_height, [0.0, 2.0 * radius * radius, 0.0])
@@ -54,7 +54,7 @@ impl Profile<1> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], as [`Profile::new`].
+    /// [`ProfileError`], as [`Profile::from_squared_radii`].
     pub const fn paraboloid(radius: f32, height: f32) -> Result<Self, ProfileError> {
         // r² = radius²·u
         let square = radius * radius;
@@ -66,7 +66,7 @@ impl Profile<1> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], as [`Profile::new`].
+    /// [`ProfileError`], as [`Profile::from_squared_radii`].
     pub const fn hyperboloid(waist: f32, rim: f32, half_height: f32) -> Result<Self, ProfileError> {
         // r² = waist² + (rim² − waist²)·(2·u − 1)²
         let (waist, rim) = (waist * waist, rim * rim);
@@ -76,7 +76,7 @@ impl Profile<1> {
     /// A quadratic's three ordinates, raised to a cubic's four.
     const fn quadratic(z: f32, top: f32, [q0, q1, q2]: [f32; 3]) -> Result<Self, ProfileError> {
         let ordinates = [q0, (q0 + 2.0 * q1) / 3.0, (2.0 * q1 + q2) / 3.0, q2];
-        match Self::new(&[z, top], &ordinates) {
+        match Self::from_squared_radii(&[z, top], &ordinates) {
             Ok(profile) => Ok(profile.closed()),
             Err(error) => Err(error),
         }

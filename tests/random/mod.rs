@@ -26,7 +26,8 @@ pub fn random_lathe(rng: &mut ChaCha8Rng) -> Lathe<[Segment; 8]> {
         }
         let end = |open| if open { End::Open } else { End::Capped };
         let squash = if rng.random_ratio(1, 3) { even(rng, 0.1, 1.0) } else { 1.0 };
-        if let Ok(profile) = Profile::<8>::new(&knots, &ordinates).and_then(|profile| profile.squash(squash))
+        if let Ok(profile) =
+            Profile::<8>::from_squared_radii(&knots, &ordinates).and_then(|profile| profile.squash(squash))
         {
             return Lathe::turn(profile.base(end(rng.random())).top(end(rng.random())));
         }
@@ -62,7 +63,7 @@ pub fn upright_camera(rng: &mut ChaCha8Rng) -> Camera {
     loop {
         let distance: f32 = [0.3, 1.5, 3.0, 6.0][rng.random_range(0..4)];
         let turn = Rotation::about_z(even(rng, -3.0, 3.0));
-        let eye = turn.apply([0.0, -distance, even(rng, -distance, distance)]).to_array();
+        let eye = turn.apply([0.0, -distance, even(rng, -distance, distance)]);
         let (target, up) = ([0.0, 0.0, even(rng, -0.3, 0.3)], [0.0, 0.0, 1.0]);
         let camera = if rng.random() {
             Camera::orthographic(eye, target, up, even(rng, 0.2, 1.5))

@@ -214,8 +214,8 @@ fn eye_level(file: &str) -> Result<(), Box<dyn Error>> {
     for (i, (_, _, nearest)) in [METHODS[0], METHODS[3]].into_iter().enumerate() {
         for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
             let ray = camera.ray(x, y, SIDE, SIDE);
-            let origin = ray.origin().to_array();
-            let end = ray.at(1.0).to_array();
+            let origin = ray.origin();
+            let end = ray.at(1.0);
             let direction = std::array::from_fn(|i| end[i] - origin[i]);
             let cast = Cast { origin, direction, t_min: 0.0 };
             let shade = nearest(&vase, &cast).and_then(|t| shade(&vase, &cast, t));

@@ -178,10 +178,10 @@ fn a_segment_of_no_height() {
 /// A tip whose slope is of no normal size has the axis for its normal: its own, brought to one, was not a number.
 #[test]
 fn a_tip_all_but_without_a_slope() {
-    let profile = Profile::<1>::new(&[0.0, 1.0], &[1.0, 1.0, 1e-40, 0.0]).expect("valid");
+    let profile = Profile::<1>::from_squared_radii(&[0.0, 1.0], &[1.0, 1.0, 1e-40, 0.0]).expect("valid");
     let (lathe, ray) = (Lathe::turn(profile), Ray::new([0.0, 0.0, 2.0], [0.0, 0.0, -1.0]).expect("finite"));
     let hit = lathe.nearest(&ray, 0.0).expect("the tip");
-    assert_eq!(lathe.surface(&ray, &hit).normal.to_array(), [0.0, 0.0, 1.0]);
+    assert_eq!(lathe.surface(&ray, &hit).normal, [0.0, 0.0, 1.0]);
 }
 
 /// The waist of an hourglass that has no radius: a knot lies there, as the promise asks.

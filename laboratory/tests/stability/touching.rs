@@ -37,7 +37,7 @@ fn neck(rng: &mut ChaCha8Rng) -> Option<Neck> {
     let f = [p * p, -2.0 * p + m * p * p, 1.0 - 2.0 * m * p, m];
     let b = [f[0], f[0] + f[1] / 3.0, f[0] + (2.0 * f[1] + f[2]) / 3.0, f.iter().sum()].map(|b| b as f32);
     let height = magnitude(rng, 0.3, 3.0) as f32;
-    Profile::<1>::new(&[0.0, height], &b).ok()?;
+    Profile::<1>::from_squared_radii(&[0.0, height], &b).ok()?;
     let v = 1.0 - p;
     let shares = [v * v * v, 3.0 * v * v * p, 3.0 * v * p * p, p * p * p];
     let sum: f64 = shares.iter().zip(b).map(|(share, b)| share * f64::from(b.abs())).sum();

@@ -8,7 +8,7 @@ use crate::light::Light;
 use crate::math::rsqrt;
 use crate::pose::Pose;
 use crate::ray::{Ray, RayError};
-use crate::solve::Bracketed;
+use crate::solve::Newton;
 use crate::surface::Surface;
 use crate::vector::{F32x3, Vector, array, difference, largest, one_norm, vector};
 use core::ptr;
@@ -319,7 +319,7 @@ impl SolidRow<'_> {
     #[inline(never)]
     fn met(&mut self, solid: &Solid, column: u32) -> Option<(f32, Seen)> {
         let ray = solid.ray_into(&self.row.ray(column));
-        let hit = solid.lathe.nearest_by::<Bracketed>(&ray, 0.0)?;
+        let hit = solid.lathe.nearest_by::<Newton>(&ray, 0.0)?;
         if ptr::eq(solid, self.solid) {
             self.sweep.found(&hit);
         }

@@ -3,7 +3,7 @@ use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
 use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
-use crate::solve::{Solver, first_crossing};
+use crate::solve::Crossings;
 
 /// What of a ray lies in one segment's slab, and g along it.
 pub(super) struct Chord<'a> {
@@ -15,7 +15,7 @@ pub(super) struct Chord<'a> {
     /// g over s.
     g: Cubic,
     /// The chord's ends, in s.
-    pub from: f32,
+    from: f32,
     to: f32,
 }
 
@@ -52,10 +52,10 @@ impl<'a> Chord<'a> {
         Some(Self { path, segment, index, origin, g, from: from - origin, to: to - origin })
     }
 
-    /// The first crossing after a point of the chord, given the side that the ray is on there.
-    #[inline]
-    pub fn crossing<S: Solver>(&self, from: f32, inside: bool) -> Option<f32> {
-        if from < self.to { first_crossing::<S>(&self.g, from, self.to, inside) } else { None }
+    /// Where g crosses zero along the chord, given the side that the ray begins on.
+    #[inline(always)]
+    pub fn crossings(&self, inside: bool) -> Crossings<'_> {
+        Crossings::new(&self.g, self.from, self.to, inside)
     }
 
     #[inline]

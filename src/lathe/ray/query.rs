@@ -7,7 +7,7 @@ use crate::hit::Hit;
 use crate::lathe::{Lathe, Segment};
 use crate::math::minmax::greater;
 use crate::ray::Ray;
-use crate::solve::{Bracketed, Solver};
+use crate::solve::{Newton, Solver};
 use core::ops::ControlFlow;
 use heapless::Vec;
 
@@ -19,8 +19,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         match self.whole().glance(ray, t_min) {
             Glance::Misses => Vec::new(),
-            Glance::Meets(nearest) => self.hits_on::<Bracketed, C>(ray, t_min, Some(nearest)),
-            Glance::Unclear => self.hits_on::<Bracketed, C>(ray, t_min, None),
+            Glance::Meets(nearest) => self.hits_on::<Newton, C>(ray, t_min, Some(nearest)),
+            Glance::Unclear => self.hits_on::<Newton, C>(ray, t_min, None),
         }
     }
 
@@ -75,7 +75,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[cold]
     #[inline(never)]
     fn walked(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        self.nearest_by::<Bracketed>(ray, t_min)
+        self.nearest_by::<Newton>(ray, t_min)
     }
 
     /// [`Lathe::nearest`] with the solver S, by a walk along the ray.

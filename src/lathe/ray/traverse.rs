@@ -61,9 +61,8 @@ pub(super) fn walk<S: Solver, B>(
     while let Some(segment) = segments.get(index) {
         let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
         if let Some(chord) = Chord::new(path, segment, index, [at, end], inside) {
-            let mut from = chord.from;
-            for _ in 0..3 {
-                let Some(s) = chord.crossing::<S>(from, inside) else { break };
+            let mut crossings = chord.crossings(inside);
+            while let Some(s) = crossings.next::<S>() {
                 inside = !inside;
                 let hit = chord.hit(s, inside);
                 if is_beyond(hit.t, since) {
@@ -72,7 +71,6 @@ pub(super) fn walk<S: Solver, B>(
                         return Some(found);
                     }
                 }
-                from = s;
             }
         }
         at = end;

@@ -1,7 +1,8 @@
-use super::Solver;
-use super::pieces::crossing;
+use super::collect;
 use crate::cubic::Cubic;
 use crate::math::minmax::{greater, lesser};
+use crate::solve::Solver;
+use heapless::Vec;
 
 /// How far an interval may reach to be solved as it is.
 const TAME: f32 = (1_u64 << 30) as f32;
@@ -26,48 +27,33 @@ fn bits(x: f32) -> u32 {
     x.to_bits() & 0x7fff_ffff
 }
 
-/// The crossing of any cubic in any interval, or where it starts if that is zero. `positive` says how it
-/// starts, if that is known.
+/// The first roots of any cubic in any interval, `most` of them.
 ///
 /// The interval is cut at ±2³⁰ and ±2⁹⁰, and each part solved in a unit of its own, 2⁰, 2⁶⁰, 2¹²⁰, so that
 /// |u| is from 2⁻³⁰ (0 in the middle part) to 2³⁰ there, and the largest coefficient in [1, 2): then no power
-/// overflows, and a coefficient that underflows is below 2⁻³⁶ of the largest term.
+/// overflows, and a coefficient that underflows is below 2⁻³⁶ of the largest term. The sign at a cut is decided once, in
+/// the part that ends there.
 #[cold]
 #[inline(never)]
-pub(super) fn wide<S: Solver>(g: &Cubic, lo: f32, hi: f32, mut positive: Option<bool>) -> Option<f32> {
+pub(super) fn rescaled<S: Solver>(g: &Cubic, lo: f32, hi: f32, most: usize) -> Vec<f32, 3> {
     const PARTS: [(f32, f32, i32); 5] =
         [(f32::MIN, -FAR, 120), (-FAR, -TAME, 60), (-TAME, TAME, 0), (TAME, FAR, 60), (FAR, f32::MAX, 120)];
+    let mut roots = Vec::new();
     if !(lo <= hi && g.c.iter().all(|c| c.is_finite())) {
-        return None;
+        return roots;
     }
-    let told = positive.is_some();
+    // Neither is NaN. Of [∞, ∞] no part is left.
+    let (lo, hi) = (greater(f32::MIN, lo), lesser(f32::MAX, hi));
+    let mut sign = None;
     for (from, to, unit) in PARTS {
         let (from, to) = (greater(from, lo), lesser(to, hi));
-        if !(from < to || from == to && lo == hi) {
-            continue;
+        if from < to || from == to && lo == hi && sign.is_none() {
+            let g = stretched(g, unit);
+            let [a, b] = [from, to].map(|u| u * power(-unit));
+            sign = Some(collect::<S>(&g, [a, b], sign, power(unit), most, &mut roots));
         }
-        let g = stretched(g, unit);
-        let [a, b] = [from, to].map(|u| u * power(-unit));
-        let start = g.at(a);
-        let sign = positive.unwrap_or(start > 0.0);
-        // Zero where the interval begins, or a crossing that rounding puts between two parts.
-        if !(told && from <= lo) && (start == 0.0 || (start > 0.0) != sign) {
-            return Some(from);
-        }
-        if let Some(v) = crossing::<S>(&g, a, b, sign) {
-            return Some(v * power(unit));
-        }
-        positive = Some(sign);
     }
-    None
-}
-
-/// The cubic in the unit of the part that u lies in, and u in it.
-#[cold]
-#[inline(never)]
-pub(super) fn local(g: &Cubic, u: f32) -> (Cubic, f32) {
-    let unit = 60 * (i32::from(u.abs() > TAME) + i32::from(u.abs() > FAR));
-    (stretched(g, unit), u * power(-unit))
+    roots
 }
 
 /// The cubic over another unit, 2ᵘⁿⁱᵗ, scaled by a power of two so that its largest coefficient is in [1, 2).

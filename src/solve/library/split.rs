@@ -1,7 +1,7 @@
 use super::inflection::{from_inflection, positive_root};
-use super::{Fall, Piece, Solver};
 use crate::cubic::Cubic;
 use crate::math::{Math, Native};
+use crate::solve::{Fall, Piece, Solver};
 use core::marker::PhantomData;
 
 /// Split at the turning points, then a bent parabola. The crate's default.

@@ -78,7 +78,7 @@ fn turning(g: &Cubic, bend: f32, near: bool) -> f32 {
 /// `positive` says how it starts, whatever rounding makes of its value there. From above zero it can come
 /// below only by falling, and then the minimum, or the interval's end, is below: two signs tell.
 #[inline(always)]
-pub(crate) fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<(Cubic, Piece)> {
+fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<(Cubic, Piece)> {
     let g = if positive { *g } else { Cubic::new(g.c.map(|c| -c)) };
     let mut piece = Piece { lo, hi, fall: Fall::Straight, bend: 0.0, minimum: f32::INFINITY, depth: 0.0 };
     if let Some(bend) = bend::<M>(&g) {
@@ -97,19 +97,52 @@ pub(crate) fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) 
     (g.at(hi) <= 0.0).then_some((g, piece))
 }
 
-/// The first point of [lo, hi] at which a cubic that starts positive (or not) has the other sign, or is zero.
-#[inline(always)]
-pub(crate) fn first_crossing<S: Solver>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<f32> {
-    let (g, piece) = first_piece::<S::Math>(g, lo, hi, positive)?;
-    let root = S::root(&g, &piece);
-    // Not `clamp`, which panics if the ends are out of order, so that firmware would carry the message.
-    Some(greater(piece.lo, lesser(piece.hi, root)))
+/// Where a cubic crosses zero in an interval, from its lower end on, one crossing at a time.
+///
+/// The search goes from monotone piece to monotone piece. The sign at the end of a piece is decided once, when the
+/// piece is searched, and carried to the next one; each piece holds one crossing at most. So however the roots are
+/// rounded, a cubic has no more than three, and a parabola no more than two.
+pub(crate) struct Crossings<'a> {
+    g: &'a Cubic,
+    /// What is left to be searched.
+    lo: f32,
+    hi: f32,
+    /// The sign of `g` at `lo`, whatever rounding makes of the value there.
+    positive: bool,
 }
 
-/// The same, apart.
-#[inline(never)]
-pub(super) fn crossing<S: Solver>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<f32> {
-    first_crossing::<S>(g, lo, hi, positive)
+impl<'a> Crossings<'a> {
+    /// The crossings in [lo, hi] of a cubic that is positive at `lo`, or negative.
+    #[inline(always)]
+    pub fn new(g: &'a Cubic, lo: f32, hi: f32, positive: bool) -> Self {
+        Self { g, lo, hi, positive }
+    }
+
+    /// The next point at which the cubic reaches the other sign, or zero, by the solver S. `None` if there is no other
+    /// up to `hi`.
+    #[inline(always)]
+    pub fn next<S: Solver>(&mut self) -> Option<f32> {
+        if !(self.lo < self.hi) {
+            return None;
+        }
+        let (g, piece) = first_piece::<S::Math>(self.g, self.lo, self.hi, self.positive)?;
+        let root = S::root(&g, &piece);
+        (self.lo, self.positive) = (piece.hi, !self.positive);
+        // Not `clamp`, which panics if the ends are out of order, so that firmware would carry the message.
+        Some(greater(piece.lo, lesser(piece.hi, root)))
+    }
+
+    /// The sign of the cubic at `hi`, once `next` has returned `None`.
+    pub fn is_positive(&self) -> bool {
+        self.positive
+    }
+}
+
+/// The first critical point after `lo`, or `hi` if there is none before that.
+pub(super) fn first_critical<M: Math>(g: &Cubic, lo: f32, hi: f32) -> f32 {
+    let Some(bend) = bend::<M>(g) else { return hi };
+    let points = [true, false].map(|near| turning(g, bend, near));
+    points.into_iter().filter(|&u| lo < u).fold(hi, lesser)
 }
 
 /// `√(c2² − 3·c3·c1)`, if that is positive.

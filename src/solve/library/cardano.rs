@@ -1,6 +1,7 @@
-use super::{Fall, Piece, Solver, refine};
+use super::refine;
 use crate::cubic::Cubic;
 use crate::math::{Math, Native};
+use crate::solve::{Fall, Piece, Solver};
 use core::marker::PhantomData;
 
 /// Cardano's formula, held in its monotone piece and refined.

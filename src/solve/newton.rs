@@ -8,9 +8,9 @@ const MOST_STEPS: u32 = 64;
 /// Newton's method in a bracket, no more: a step that leaves it is replaced by its middle.
 ///
 /// The smallest solver, for rays that are seldom asked about.
-pub(crate) struct Bracketed;
+pub(crate) struct Newton;
 
-impl Solver for Bracketed {
+impl Solver for Newton {
     type Math = Native;
 
     #[inline(always)]
@@ -41,10 +41,11 @@ impl Solver for Bracketed {
 #[cfg(test)]
 mod tests {
     extern crate std;
-    use super::Bracketed;
+    use super::Newton;
     use crate::cubic::Cubic;
     use crate::math::UNIT_ROUNDOFF;
-    use crate::solve::{BACKWARD_ERROR, DefaultSolver, first_crossing};
+    use crate::solve::isolate::Crossings;
+    use crate::solve::{BACKWARD_ERROR, DefaultSolver};
     use rand::rngs::ChaCha8Rng;
     use rand::{RngExt, SeedableRng};
 
@@ -63,8 +64,9 @@ mod tests {
             }
             let (g, hi) = (Cubic::new(c), rng.random_range(-1.0..2.0));
             let is_positive = g.at(-1.0) > 0.0;
-            let root = first_crossing::<Bracketed>(&g, -1.0, hi, is_positive);
-            assert_eq!(root.is_some(), first_crossing::<DefaultSolver>(&g, -1.0, hi, is_positive).is_some());
+            let crossings = || Crossings::new(&g, -1.0, hi, is_positive);
+            let root = crossings().next::<Newton>();
+            assert_eq!(root.is_some(), crossings().next::<DefaultSolver>().is_some());
             let Some(u) = root else { continue };
             assert!((-1.0..=hi).contains(&u), "{u}");
             let [c0, c1, c2, c3] = c.map(f64::from);

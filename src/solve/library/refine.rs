@@ -1,7 +1,7 @@
-use super::{Fall, Piece};
 use crate::cubic::Cubic;
 use crate::math::UNIT_ROUNDOFF;
 use crate::math::minmax::lesser;
+use crate::solve::{Fall, Piece};
 
 /// Bisection alone would need one step a bit of the result, 24, after as many as the exponents differ.
 /// Newton's needs two or three; the rest is for those who call with an interval like ±10³⁸ and a bad seed.

@@ -54,10 +54,7 @@ impl Camera {
         up: [f32; 3],
         half_width: f32,
     ) -> Result<Self, SceneError> {
-        if !(half_width >= 1e-6 && half_width <= 30.0) {
-            return Err(SceneError::HalfWidth);
-        }
-        Self::new(eye, look_at, up, half_width, Projection::Perspective)
+        Self::new([eye, look_at, up], half_width, [1e-6, 30.0], Projection::Perspective)
     }
 
     /// Parallel rays; `half_width` is that of the picture, in the world's unit. What is behind the eye's
@@ -72,34 +69,34 @@ impl Camera {
         up: [f32; 3],
         half_width: f32,
     ) -> Result<Self, SceneError> {
-        Self::new(eye, look_at, up, half_width, Projection::Orthographic)
+        Self::new([eye, look_at, up], half_width, [1e-15, 1e15], Projection::Orthographic)
     }
 
     const fn new(
-        eye: [f32; 3],
-        look_at: [f32; 3],
-        up: [f32; 3],
+        [eye, look_at, up]: [[f32; 3]; 3],
         half_width: f32,
+        [least, most]: [f32; 2],
         projection: Projection,
     ) -> Result<Self, SceneError> {
-        if !(half_width >= 1e-15 && half_width <= 1e15) {
-            return Err(SceneError::HalfWidth);
+        if !(half_width >= least && half_width <= most) {
+            return Err(SceneError::HalfWidth { half_width, least, most });
         }
-        let eye = vector(eye);
-        let Some(forward) = unit(difference(vector(look_at), eye)) else {
-            return Err(SceneError::ViewDirection);
+        let Some(forward) = unit(difference(vector(look_at), vector(eye))) else {
+            return Err(SceneError::ViewDirection { eye, look_at });
         };
+        let along = SceneError::UpDirection { up };
         let Some(up) = unit(vector(up)) else {
-            return Err(SceneError::UpDirection);
+            return Err(along);
         };
         let right = cross(forward, up);
         // Two unit vectors: what is left of a parallel pair is rounding.
         if !(dot(right, right) > 1e-12) {
-            return Err(SceneError::UpDirection);
+            return Err(along);
         }
         let Some(right) = unit(right) else {
-            return Err(SceneError::UpDirection);
+            return Err(along);
         };
+        let eye = vector(eye);
         // In a picture as much as three times as high as wide.
         let rough = match projection {
             Projection::Perspective => 0.0,

@@ -37,7 +37,7 @@
 //!
 //! # The pipe
 //!
-//! Each stage is a file, and names only files to its left. (`valid` and `scene_error` are everybody's.)
+//! Each stage is a file, and names only files to its left. (`valid`, `message` and `scene_error` are everybody's.)
 //!
 //! ```text
 //! math → vector → cubic → solve → profile → ray → hit → lathe → surface → color → light → camera
@@ -103,6 +103,7 @@ mod draw;
 mod hit;
 mod lathe;
 mod light;
+mod message;
 mod occlusion;
 mod pose;
 mod profile;

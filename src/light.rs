@@ -28,11 +28,11 @@ impl Light {
     /// [`SceneError`] if the direction is zero or not finite, or the share not in [0, 1].
     pub const fn new(towards: [f32; 3], ambient: f32) -> Result<Self, SceneError> {
         if !(ambient >= 0.0 && ambient <= 1.0) {
-            return Err(SceneError::Ambient);
+            return Err(SceneError::Ambient { ambient });
         }
         match unit(vector(towards)) {
-            Some(towards) => Ok(Self { towards, ambient }),
-            None => Err(SceneError::LightDirection),
+            Some(unit) => Ok(Self { towards: unit, ambient }),
+            None => Err(SceneError::LightDirection { towards }),
         }
     }
 

@@ -36,17 +36,16 @@ impl Pose {
     /// [`SceneError`] if a coordinate is not finite, the rotation by an angle that is none, or the scale not between 10⁻³⁰
     /// and 10³⁰.
     pub const fn new(position: [f32; 3], rotation: Rotation, scale: f32) -> Result<Self, SceneError> {
-        let position = vector(position);
-        if !finite(position) {
-            return Err(SceneError::Position);
+        if !finite(vector(position)) {
+            return Err(SceneError::Position { position });
         }
         if !rotation.is_finite() {
             return Err(SceneError::Rotation);
         }
         if !(scale >= 1e-30 && scale <= 1e30) {
-            return Err(SceneError::Scale);
+            return Err(SceneError::Scale { scale });
         }
-        Ok(Self { position, rotation, scale })
+        Ok(Self { position: vector(position), rotation, scale })
     }
 
     /// Where the origin of the solid's own space is.
@@ -145,20 +144,24 @@ impl Rotation {
     ///
     /// # Errors
     ///
-    /// [`SceneError::Rotation`] if the axis is zero, the angle larger than 10 000, or a number not finite.
+    /// [`SceneError::RotationAxis`] if the axis is zero or not finite, [`SceneError::RotationAngle`] if the angle is larger than
+    /// 10 000 or NaN.
     pub const fn about(axis: [f32; 3], angle: f32) -> Result<Self, SceneError> {
         let (s, c) = sin_cos(angle);
-        let v = 1.0 - c;
-        match unit(vector(axis)) {
-            Some(F32x3 { x, y, z }) if s.is_finite() => Ok(Self {
-                rows: [
-                    vector([c + x * x * v, x * y * v - z * s, x * z * v + y * s]),
-                    vector([y * x * v + z * s, c + y * y * v, y * z * v - x * s]),
-                    vector([z * x * v - y * s, z * y * v + x * s, c + z * z * v]),
-                ],
-            }),
-            _ => Err(SceneError::Rotation),
+        if !s.is_finite() {
+            return Err(SceneError::RotationAngle { angle });
         }
+        let Some(F32x3 { x, y, z }) = unit(vector(axis)) else {
+            return Err(SceneError::RotationAxis { axis });
+        };
+        let v = 1.0 - c;
+        Ok(Self {
+            rows: [
+                vector([c + x * x * v, x * y * v - z * s, x * z * v + y * s]),
+                vector([y * x * v + z * s, c + y * y * v, y * z * v - x * s]),
+                vector([z * x * v - y * s, z * y * v + x * s, c + z * z * v]),
+            ],
+        })
     }
 
     /// This rotation, then another.

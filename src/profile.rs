@@ -1,8 +1,8 @@
 //! The outline that is turned: squared radius over height, checked at the door.
 
 mod error;
-mod exact;
 mod extremes;
+mod quadrics;
 
 pub use error::ProfileError;
 
@@ -106,11 +106,11 @@ impl<const N: usize> Profile<N> {
     /// the segment's largest ordinate.
     pub const fn from_squared_radii(knots: &[f32], ordinates: &[f32]) -> Result<Self, ProfileError> {
         if knots.len() < 2 {
-            return Err(ProfileError::NoSegments);
+            return Err(ProfileError::NoSegments { knots: knots.len() });
         }
         let len = knots.len() - 1;
         if len > N {
-            return Err(ProfileError::TooManySegments { segments: len });
+            return Err(ProfileError::TooManySegments { segments: len, capacity: N });
         }
         if ordinates.len() != 3 * len + 1 {
             return Err(ProfileError::OrdinateCount { expected: 3 * len + 1, found: ordinates.len() });
@@ -118,12 +118,12 @@ impl<const N: usize> Profile<N> {
         let mut point = 0;
         while point < ordinates.len() {
             if !ordinates[point].is_finite() {
-                return Err(ProfileError::OrdinateNotFinite { point });
+                return Err(ProfileError::OrdinateNotFinite { point, square: ordinates[point] });
             }
             point += 1;
         }
         if !knots[0].is_finite() {
-            return Err(ProfileError::KnotNotFinite { knot: 0 });
+            return Err(ProfileError::KnotNotFinite { knot: 0, height: knots[0] });
         }
         let mut spans = [Span::EMPTY; N];
         let mut largest = 0.0;
@@ -131,32 +131,35 @@ impl<const N: usize> Profile<N> {
         while i < len {
             let (z, top) = (knots[i], knots[i + 1]);
             if !top.is_finite() {
-                return Err(ProfileError::KnotNotFinite { knot: i + 1 });
+                return Err(ProfileError::KnotNotFinite { knot: i + 1, height: top });
             }
             if !(top > z) {
-                return Err(ProfileError::KnotsNotIncreasing { knot: i + 1 });
+                return Err(ProfileError::KnotsNotIncreasing { knot: i + 1, before: z, height: top });
             }
             let j = 3 * i;
             let b = [ordinates[j], ordinates[j + 1], ordinates[j + 2], ordinates[j + 3]];
             let extremes = Extremes::of(b);
             if !(extremes.least >= 0.0) {
-                return Err(ProfileError::Negative { segment: i });
+                let height = z + (top - z) * extremes.narrowest;
+                return Err(ProfileError::Negative { segment: i, height, square: extremes.least });
             }
             largest = extremes.largest.max(largest);
             spans[i] = Span { z, top, b, largest: extremes.largest, narrowest: extremes.narrowest };
             i += 1;
         }
         if !(largest >= 1e-30 && largest <= 1e30) {
-            return Err(ProfileError::Size);
+            return Err(ProfileError::Size { square: largest });
         }
         let radius = const_fn::sqrt(largest);
-        if !(knots[len] - knots[0] <= MOST * radius) {
-            return Err(ProfileError::Height);
+        let height = knots[len] - knots[0];
+        if !(height <= MOST * radius) {
+            return Err(ProfileError::Height { height, radius });
         }
         let mut knot = 1;
         while knot <= len {
-            if !((knots[knot] - knots[knot - 1]) * MOST >= radius) {
-                return Err(ProfileError::KnotsNotIncreasing { knot });
+            let (before, height) = (knots[knot - 1], knots[knot]);
+            if !((height - before) * MOST >= radius) {
+                return Err(ProfileError::KnotsNotIncreasing { knot, before, height });
             }
             knot += 1;
         }
@@ -171,7 +174,7 @@ impl<const N: usize> Profile<N> {
     /// [`ProfileError::Squash`] unless 0 ≤ k ≤ 1.
     pub const fn squash(self, k: f32) -> Result<Self, ProfileError> {
         if !(k >= 0.0 && k <= 1.0) {
-            return Err(ProfileError::Squash);
+            return Err(ProfileError::Squash { squash: k });
         }
         Ok(Self { squash: k, ..self })
     }

@@ -1,8 +1,9 @@
 //! A ray, checked at the door.
 
 use crate::math::minmax::{greater, lesser};
+use crate::message::Piece::{Text, Vector};
+use crate::message::{Message, says};
 use crate::vector::{F32x3, array, finite, saturated, scale, to_one, vector};
-use core::fmt;
 
 /// The points `origin + t·direction`. The direction need not be a unit vector: t counts in units of the one
 /// given.
@@ -12,7 +13,7 @@ use core::fmt;
 ///
 /// let ray = Ray::new([0.0, -2.0, 0.5], [0.0, 2.0, 0.0])?;
 /// assert_eq!(ray.at(0.5), [0.0, -1.0, 0.5]);
-/// assert_eq!(Ray::new([0.0; 3], [0.0; 3]), Err(RayError::NoDirection));
+/// assert_eq!(Ray::new([0.0; 3], [0.0; 3]), Err(RayError::NoDirection { direction: [0.0; 3] }));
 /// # Ok::<(), RayError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,13 +35,15 @@ impl Ray {
     /// [`RayError`] if a number is not finite, or the direction's largest component is smaller than the least
     /// normal number, 1.2·10⁻³⁸.
     pub const fn new(origin: [f32; 3], direction: [f32; 3]) -> Result<Self, RayError> {
-        let (origin, direction) = (vector(origin), vector(direction));
-        if !(finite(origin) && finite(direction)) {
-            return Err(RayError::NotFinite);
+        if !finite(vector(origin)) {
+            return Err(RayError::OriginNotFinite { origin });
         }
-        match to_one(direction) {
-            Some((direction, power)) => Ok(Self { origin, direction, unit: 1.0 / power }),
-            None => Err(RayError::NoDirection),
+        if !finite(vector(direction)) {
+            return Err(RayError::DirectionNotFinite { direction });
+        }
+        match to_one(vector(direction)) {
+            Some((direction, power)) => Ok(Self { origin: vector(origin), direction, unit: 1.0 / power }),
+            None => Err(RayError::NoDirection { direction }),
         }
     }
 
@@ -105,41 +108,50 @@ impl defmt::Format for Ray {
     }
 }
 
-/// What keeps numbers from being a ray.
+/// What keeps numbers from being a ray, and which numbers they are.
 ///
 /// ```
 /// use embedded_lathe::{Ray, RayError};
-/// assert_eq!(Ray::new([f32::NAN, 0.0, 0.0], [1.0, 0.0, 0.0]), Err(RayError::NotFinite));
+///
+/// let error = Ray::new([f32::NAN, 0.0, 0.0], [1.0, 0.0, 0.0]).unwrap_err();
+/// assert_eq!(error, RayError::OriginNotFinite { origin: [f32::NAN, 0.0, 0.0] });
+/// assert_eq!(error.to_string(), "the ray's origin must be finite, and is [NaN, 0.0, 0.0]");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum RayError {
-    /// A coordinate or component is infinite or not a number.
-    NotFinite,
-    /// The direction is zero, or as good as zero.
-    NoDirection,
+    /// A coordinate of the origin is infinite or NaN.
+    OriginNotFinite {
+        /// The origin given.
+        origin: [f32; 3],
+    },
+    /// A component of the direction is infinite or NaN.
+    DirectionNotFinite {
+        /// The direction given.
+        direction: [f32; 3],
+    },
+    /// The direction is zero, or its largest component smaller than the least normal number, 1.2·10⁻³⁸.
+    NoDirection {
+        /// The direction given.
+        direction: [f32; 3],
+    },
 }
-
-impl fmt::Display for RayError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.text())
-    }
-}
-
-impl core::error::Error for RayError {}
 
 impl RayError {
-    const fn text(self) -> &'static str {
+    const fn message(self) -> Message {
         match self {
-            Self::NotFinite => "a coordinate of the ray is not finite",
-            Self::NoDirection => "the ray's direction is zero",
+            Self::OriginNotFinite { origin } => {
+                Message::of([Text("the ray's origin must be finite, and is "), Vector(origin)])
+            }
+            Self::DirectionNotFinite { direction } => {
+                Message::of([Text("the ray's direction must be finite, and is "), Vector(direction)])
+            }
+            Self::NoDirection { direction } => {
+                Message::of([Text("the ray's direction must not be zero, and is "), Vector(direction)])
+            }
         }
     }
-
-    /// Stops the compilation with the message. Called by [`valid!`](crate::valid).
-    #[doc(hidden)]
-    #[track_caller]
-    pub const fn stop(self) -> ! {
-        crate::valid::stop(self.text(), None)
-    }
 }
+
+says!(RayError);

@@ -1,58 +1,120 @@
-use core::fmt;
+use crate::message::Piece::{Number, Text, Vector};
+use crate::message::{Message, says};
 
-/// What keeps numbers from being part of a scene.
+/// What keeps numbers from being part of a scene, and which numbers they are.
 ///
 /// ```
 /// use embedded_lathe::{Light, SceneError};
-/// assert_eq!(Light::new([0.0; 3], 0.15), Err(SceneError::LightDirection));
+///
+/// let error = Light::new([-1.0, -1.0, 1.0], 1.5).unwrap_err();
+/// assert_eq!(error, SceneError::Ambient { ambient: 1.5 });
+/// assert_eq!(error.to_string(), "the ambient share must be from 0 to 1, and is 1.5");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum SceneError {
-    /// A coordinate of a position is not finite.
-    Position,
-    /// A rotation's axis is zero, or its angle larger than 10 000 radians or not a number.
+    /// A coordinate of a position is infinite or NaN.
+    Position {
+        /// The position given.
+        position: [f32; 3],
+    },
+    /// A rotation's axis is zero, or a component of it infinite or NaN.
+    RotationAxis {
+        /// The axis given.
+        axis: [f32; 3],
+    },
+    /// A rotation's angle is larger than 10 000 radians, or NaN.
+    RotationAngle {
+        /// The angle given, in radians.
+        angle: f32,
+    },
+    /// A pose's rotation is by an angle larger than 10 000 radians, or NaN.
     Rotation,
     /// A solid's scale is not between 10⁻³⁰ and 10³⁰.
-    Scale,
-    /// A camera looks nowhere: its eye is where it looks at, or one of the two is not finite.
-    ViewDirection,
-    /// A camera's up direction is zero or along its view.
-    UpDirection,
-    /// A camera's half-width is not between 10⁻⁶ and 30, or, if its rays are parallel, 10⁻¹⁵ and 10¹⁵.
-    HalfWidth,
-    /// A light's direction is zero or not finite.
-    LightDirection,
-    /// An ambient share is outside [0, 1].
-    Ambient,
+    Scale {
+        /// The scale given.
+        scale: f32,
+    },
+    /// A camera looks in no direction: its eye is where it looks at, or a coordinate of one of the two is infinite or NaN.
+    ViewDirection {
+        /// The eye given.
+        eye: [f32; 3],
+        /// The point given to look at.
+        look_at: [f32; 3],
+    },
+    /// A camera's up direction is zero or along its view, or a component of it infinite or NaN.
+    UpDirection {
+        /// The direction given.
+        up: [f32; 3],
+    },
+    /// A camera's half-width is outside the limits of that kind of camera, or NaN.
+    HalfWidth {
+        /// The half-width given.
+        half_width: f32,
+        /// The least that such a camera may have.
+        least: f32,
+        /// The most that such a camera may have.
+        most: f32,
+    },
+    /// A light's direction is zero, or a component of it infinite or NaN.
+    LightDirection {
+        /// The direction given.
+        towards: [f32; 3],
+    },
+    /// An ambient share is outside 0 to 1, or NaN.
+    Ambient {
+        /// The share given.
+        ambient: f32,
+    },
 }
 
 impl SceneError {
-    const fn text(self) -> &'static str {
+    const fn message(self) -> Message {
         match self {
-            Self::Position => "a coordinate of the position is not finite",
-            Self::Rotation => "the rotation's axis is zero or its angle not within 1e4",
-            Self::Scale => "the scale is not between 1e-30 and 1e30",
-            Self::ViewDirection => "the camera's eye is where it looks at, or not finite",
-            Self::UpDirection => "the camera's up direction is zero or along its view",
-            Self::HalfWidth => "the camera's half-width is not between 1e-6 and 30, or 1e-15 and 1e15",
-            Self::LightDirection => "the light's direction is zero or not finite",
-            Self::Ambient => "the ambient share is not between 0 and 1",
+            Self::Position { position } => {
+                Message::of([Text("the position must be finite, and is "), Vector(position)])
+            }
+            Self::RotationAxis { axis } => {
+                Message::of([Text("the rotation's axis must be finite and not zero, and is "), Vector(axis)])
+            }
+            Self::RotationAngle { angle } => Message::of([
+                Text("the rotation's angle must be from -10000 to 10000, and is "),
+                Number(angle),
+            ]),
+            Self::Rotation => {
+                Message::of([Text("the rotation is by an angle that is not from -10000 to 10000")])
+            }
+            Self::Scale { scale } => {
+                Message::of([Text("the scale must be from 1e-30 to 1e30, and is "), Number(scale)])
+            }
+            Self::ViewDirection { eye, look_at } => Message::of([
+                Text("the camera must look from one finite point at another, not from "),
+                Vector(eye),
+                Text(" at "),
+                Vector(look_at),
+            ]),
+            Self::UpDirection { up } => Message::of([
+                Text("the camera's up direction must be finite, and neither zero nor along the view; it is "),
+                Vector(up),
+            ]),
+            Self::HalfWidth { half_width, least, most } => Message::of([
+                Text("the half-width of this kind of camera must be from "),
+                Number(least),
+                Text(" to "),
+                Number(most),
+                Text(", and is "),
+                Number(half_width),
+            ]),
+            Self::LightDirection { towards } => Message::of([
+                Text("the light's direction must be finite and not zero, and is "),
+                Vector(towards),
+            ]),
+            Self::Ambient { ambient } => {
+                Message::of([Text("the ambient share must be from 0 to 1, and is "), Number(ambient)])
+            }
         }
     }
-
-    /// Stops the compilation with the message. Called by [`valid!`](crate::valid).
-    #[doc(hidden)]
-    #[track_caller]
-    pub const fn stop(self) -> ! {
-        crate::valid::stop(self.text(), None)
-    }
 }
 
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.text())
-    }
-}
-
-impl core::error::Error for SceneError {}
+says!(SceneError);

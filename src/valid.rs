@@ -1,6 +1,6 @@
 //! Errors that stop the compilation.
 
-/// The value of a `Result`, found at compile time; an error stops the compilation with its message.
+/// The value of a `Result` that is computed at compile time; an error stops the compilation with its message.
 ///
 /// ```
 /// use embedded_lathe::{Lathe, Profile, Segment, valid};
@@ -13,47 +13,86 @@
 /// ```compile_fail
 /// use embedded_lathe::{Lathe, Profile, Segment, valid};
 ///
-/// static WRONG: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::from_squared_radii(&[1.0, 0.0], &[1.0, 1.0, 1.0, 1.0])));
-/// // error: evaluation panicked: not above the knot before it, or by too little: knot 1
+/// static WRONG: Lathe<[Segment; 1]> =
+///     Lathe::turn(valid!(Profile::from_squared_radii(&[1.0, 0.5], &[1.0, 1.0, 1.0, 1.0])));
+/// // error: evaluation panicked: the height of knot 1 is 0.5, not above, or too little above, that of the knot before it, 1.0
 /// ```
 ///
 /// It works for every error of this crate whose constructor is `const`:
 /// [`ProfileError`](crate::ProfileError), [`RayError`](crate::RayError), [`SceneError`](crate::SceneError).
+///
+/// # Several steps
+///
+/// Steps that may fail are chained by `?`, as anywhere else: where one `?` stands, each of them wants one.
+///
+/// ```
+/// use embedded_lathe::{End, Lathe, Profile, Segment, valid};
+///
+/// static TUBE: Lathe<[Segment; 1]> =
+///     Lathe::turn(valid!(Profile::cylinder(1.0, 0.4)?.squash(0.5)?.top(End::Open)));
+/// ```
+///
+/// ```compile_fail
+/// # use embedded_lathe::{End, Lathe, Profile, Segment, valid};
+/// static WRONG: Lathe<[Segment; 1]> =
+///     Lathe::turn(valid!(Profile::cylinder(1.0, 0.4)?.squash(1.5)?.top(End::Open)));
+/// // error: evaluation panicked: the squash must be from 0 to 1, and is 1.5
+/// ```
+///
+/// A `?` within parentheses is not seen; there, another `valid!` does it.
+///
+/// # Functions
+///
+/// What depends on parameters is no constant, so a function cannot use `valid!` on them. It returns the `Result`, and whoever
+/// calls it with constants uses `valid!`:
+///
+/// ```
+/// use embedded_lathe::*;
+///
+/// static PAWN: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::cone(0.2, 0.9)));
+///
+/// const fn pawn_at(x: f32, y: f32, size: f32) -> Result<Solid<'static>, SceneError> {
+///     match Pose::new([x, y, 0.0], Rotation::IDENTITY, size) {
+///         Ok(pose) => Ok(Solid::new(&PAWN, Rgb::WHITE).posed(pose)),
+///         Err(error) => Err(error),
+///     }
+/// }
+///
+/// static PAWNS: [Solid; 2] = [valid!(pawn_at(-0.5, 0.0, 1.0)), valid!(pawn_at(0.5, 0.0, 0.9))];
+/// ```
+///
+/// ```compile_fail
+/// # use embedded_lathe::*;
+/// # static PAWN: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::cone(0.2, 0.9)));
+/// # const fn pawn_at(x: f32, y: f32, size: f32) -> Result<Solid<'static>, SceneError> {
+/// #     match Pose::new([x, y, 0.0], Rotation::IDENTITY, size) {
+/// #         Ok(pose) => Ok(Solid::new(&PAWN, Rgb::WHITE).posed(pose)),
+/// #         Err(error) => Err(error),
+/// #     }
+/// # }
+/// static WRONG: Solid = valid!(pawn_at(-0.5, 0.0, 0.0));
+/// // error: evaluation panicked: the scale must be from 1e-30 to 1e30, and is 0.0
+/// ```
 #[macro_export]
 macro_rules! valid {
-    ($result:expr) => {
-        const {
-            match $result {
-                Ok(value) => value,
-                Err(error) => error.stop(),
-            }
-        }
+    // Up to the next `?`: the tokens before it, and those behind it.
+    (@ $(? $is_chain:tt)? [$($step:tt)+] ? $($rest:tt)*) => {
+        $crate::valid!(@ ? ! [(match ($($step)+) {
+            Ok(value) => value,
+            Err(error) => error.stop(),
+        })] $($rest)*)
     };
-}
-
-/// Panics with a text and a number, at compile time.
-#[track_caller]
-pub(crate) const fn stop(text: &str, number: Option<usize>) -> ! {
-    let mut message = [0; 96];
-    let bytes = text.as_bytes();
-    let mut len = 0;
-    while len < bytes.len() && len < message.len() {
-        message[len] = bytes[len];
-        len += 1;
-    }
-    if let Some(number) = number {
-        let mut power = 1;
-        while number / power >= 10 {
-            power *= 10;
-        }
-        while power > 0 && len < message.len() {
-            message[len] = b'0' + (number / power % 10) as u8;
-            len += 1;
-            power /= 10;
-        }
-    }
-    match core::str::from_utf8(message.split_at(len).0) {
-        Ok(message) => panic!("{}", message),
-        Err(_) => panic!("invalid"),
-    }
+    (@ $(? $is_chain:tt)? [$($step:tt)*] $next:tt $($rest:tt)*) => {
+        $crate::valid!(@ $(? $is_chain)? [$($step)* $next] $($rest)*)
+    };
+    // All tokens seen: behind a `?` they are the value, without one a `Result`.
+    (@ ? ! [$($value:tt)+]) => {
+        const { $($value)+ }
+    };
+    (@ [$($result:tt)+]) => {
+        $crate::valid!(@ [$($result)+] ?)
+    };
+    ($($result:tt)+) => {
+        $crate::valid!(@ [] $($result)+)
+    };
 }

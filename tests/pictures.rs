@@ -363,26 +363,59 @@ fn the_nearer_solid_hides_the_farther_whatever_their_order() {
 
 #[test]
 fn a_scene_needs_numbers() {
-    let up = [0.0, 0.0, 1.0];
-    let eye = [0.0, -2.0, 0.0];
-    assert_eq!(Camera::perspective(eye, eye, up, 0.3), Err(SceneError::ViewDirection));
-    assert_eq!(Camera::perspective([f32::NAN; 3], [0.0; 3], up, 0.3), Err(SceneError::ViewDirection));
-    assert_eq!(Camera::perspective(eye, [0.0; 3], [0.0; 3], 0.3), Err(SceneError::UpDirection));
-    assert_eq!(Camera::perspective(eye, [0.0; 3], [0.0, 3.0, 0.0], 0.3), Err(SceneError::UpDirection));
-    assert_eq!(Camera::perspective(eye, [0.0; 3], up, 30.1), Err(SceneError::HalfWidth));
-    for half_width in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-        assert_eq!(Camera::perspective(eye, [0.0; 3], up, half_width), Err(SceneError::HalfWidth));
-        assert_eq!(Camera::orthographic(eye, [0.0; 3], up, half_width), Err(SceneError::HalfWidth));
+    use SceneError::{
+        Ambient, HalfWidth, LightDirection, Position, RotationAngle, RotationAxis, Scale, UpDirection,
+        ViewDirection,
+    };
+    let (up, eye, origin) = ([0.0, 0.0, 1.0], [0.0, -2.0, 0.0], [0.0; 3]);
+    let nan = [f32::NAN; 3];
+    for (eye, look_at) in [(eye, eye), (nan, origin), (eye, nan)] {
+        assert_eq!(Camera::perspective(eye, look_at, up, 0.3), Err(ViewDirection { eye, look_at }));
     }
-    assert_eq!(Light::new([0.0; 3], 0.1), Err(SceneError::LightDirection));
-    assert_eq!(Light::new(up, 1.5), Err(SceneError::Ambient));
-    assert_eq!(Pose::new([f32::INFINITY, 0.0, 0.0], Rotation::IDENTITY, 1.0), Err(SceneError::Position));
+    for up in [origin, [0.0, 3.0, 0.0], nan] {
+        assert_eq!(Camera::perspective(eye, origin, up, 0.3), Err(UpDirection { up }));
+    }
+    for half_width in [0.0, 9e-7, 30.1, -1.0, f32::NAN, f32::INFINITY] {
+        let limits = HalfWidth { half_width, least: 1e-6, most: 30.0 };
+        assert_eq!(Camera::perspective(eye, origin, up, half_width), Err(limits));
+    }
+    for half_width in [0.0, 9e-16, 1.1e15, -1.0, f32::NAN, f32::INFINITY] {
+        let limits = HalfWidth { half_width, least: 1e-15, most: 1e15 };
+        assert_eq!(Camera::orthographic(eye, origin, up, half_width), Err(limits));
+    }
+    for towards in [origin, nan] {
+        assert_eq!(Light::new(towards, 0.1), Err(LightDirection { towards }));
+    }
+    for ambient in [1.5, -0.1, f32::NAN] {
+        assert_eq!(Light::new(up, ambient), Err(Ambient { ambient }));
+    }
+    let position = [f32::INFINITY, 0.0, 0.0];
+    assert_eq!(Pose::new(position, Rotation::IDENTITY, 1.0), Err(Position { position }));
     for angle in [f32::NAN, f32::INFINITY, 10_001.0, -1e9] {
-        assert_eq!(Pose::new([0.0; 3], Rotation::about_x(angle), 1.0), Err(SceneError::Rotation));
-        assert_eq!(Rotation::about(up, angle), Err(SceneError::Rotation));
+        assert_eq!(Pose::new(origin, Rotation::about_x(angle), 1.0), Err(SceneError::Rotation));
+        assert_eq!(Rotation::about(up, angle), Err(RotationAngle { angle }));
     }
-    assert_eq!(Pose::new([0.0; 3], Rotation::IDENTITY, 0.0), Err(SceneError::Scale));
-    assert_eq!(Rotation::about([0.0; 3], 1.0), Err(SceneError::Rotation));
+    for scale in [0.0, 1e-31, 1e31, -1.0, f32::NAN] {
+        assert_eq!(Pose::new(origin, Rotation::IDENTITY, scale), Err(Scale { scale }));
+    }
+    for axis in [origin, nan] {
+        assert_eq!(Rotation::about(axis, 1.0), Err(RotationAxis { axis }));
+    }
+}
+
+#[test]
+fn a_message_of_a_scene_reads_well() {
+    let message = |error: SceneError| error.to_string();
+    let limits = Camera::perspective([0.0, -2.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 31.0).unwrap_err();
+    assert_eq!(
+        message(limits),
+        "the half-width of this kind of camera must be from 1e-6 to 30.0, and is 31.0"
+    );
+    let nowhere = Camera::perspective([1.0; 3], [1.0; 3], [0.0, 0.0, 1.0], 0.3).unwrap_err();
+    assert_eq!(
+        message(nowhere),
+        "the camera must look from one finite point at another, not from [1.0, 1.0, 1.0] at [1.0, 1.0, 1.0]"
+    );
 }
 
 /// What solids, poses, cameras, lights and scenes are made of, they give back.

@@ -20,36 +20,85 @@ fn with(numbers: &[f32], at: usize, number: f32) -> Vec<f32> {
 fn a_wrong_profile_names_the_culprit() {
     use ProfileError::*;
     assert!(profile(&KNOTS, &ORDINATES).is_ok());
-    assert_eq!(profile(&[], &[]), Err(NoSegments));
-    assert_eq!(profile(&[1.0], &[1.0]), Err(NoSegments));
-    assert_eq!(profile(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], &[1.0; 16]), Err(TooManySegments { segments: 5 }));
+    assert_eq!(profile(&[], &[]), Err(NoSegments { knots: 0 }));
+    assert_eq!(profile(&[1.0], &[1.0]), Err(NoSegments { knots: 1 }));
+    let six = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0];
+    assert_eq!(profile(&six, &[1.0; 16]), Err(TooManySegments { segments: 5, capacity: 4 }));
     assert_eq!(profile(&KNOTS, &ORDINATES[..6]), Err(OrdinateCount { expected: 7, found: 6 }));
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         for knot in 0..3 {
-            assert_eq!(profile(&with(&KNOTS, knot, bad), &ORDINATES), Err(KnotNotFinite { knot }));
+            let error = KnotNotFinite { knot, height: bad };
+            assert_eq!(profile(&with(&KNOTS, knot, bad), &ORDINATES), Err(error));
         }
         for point in 0..7 {
-            assert_eq!(profile(&KNOTS, &with(&ORDINATES, point, bad)), Err(OrdinateNotFinite { point }));
+            let error = OrdinateNotFinite { point, square: bad };
+            assert_eq!(profile(&KNOTS, &with(&ORDINATES, point, bad)), Err(error));
         }
     }
-    assert_eq!(profile(&[0.0, 0.0, 1.0], &ORDINATES), Err(KnotsNotIncreasing { knot: 1 }));
-    assert_eq!(profile(&[0.0, 0.4, 0.3], &ORDINATES), Err(KnotsNotIncreasing { knot: 2 }));
-    assert_eq!(profile(&[0.0, 1e-40, 1.0], &ORDINATES), Err(KnotsNotIncreasing { knot: 1 }));
-    assert_eq!(profile(&[f32::MIN, 0.0, f32::MAX], &ORDINATES), Err(Height));
-    assert_eq!(profile(&[0.0, 1.0, 1e11], &ORDINATES), Err(Height));
-    assert_eq!(profile(&KNOTS, &[0.0; 7]), Err(Size));
-    assert_eq!(profile(&KNOTS, &[1e31; 7]), Err(Size));
+    let not_above = |knot, before, height| Err(KnotsNotIncreasing { knot, before, height });
+    assert_eq!(profile(&[0.0, 0.0, 1.0], &ORDINATES), not_above(1, 0.0, 0.0));
+    assert_eq!(profile(&[0.0, 0.4, 0.3], &ORDINATES), not_above(2, 0.4, 0.3));
+    assert_eq!(profile(&[0.0, 1e-40, 1.0], &ORDINATES), not_above(1, 0.0, 1e-40));
+    let too_high = profile(&[f32::MIN, 0.0, f32::MAX], &ORDINATES);
+    assert!(matches!(too_high, Err(Height { height: f32::INFINITY, .. })), "{too_high:?}");
+    let too_high = profile(&[0.0, 1.0, 1e11], &ORDINATES);
+    let Err(Height { height: 1e11, radius }) = too_high else { panic!("{too_high:?}") };
+    assert!((radius * radius - 0.4).abs() < 1e-6, "{radius}");
+    assert_eq!(profile(&KNOTS, &[0.0; 7]), Err(Size { square: 0.0 }));
+    let too_large = profile(&KNOTS, &[1e31; 7]);
+    assert_eq!(too_large, Err(Size { square: 1e31 }));
     for k in [-0.1, 1.1, f32::NAN, f32::INFINITY] {
-        assert_eq!(profile(&KNOTS, &ORDINATES).unwrap().squash(k), Err(Squash));
+        assert_eq!(profile(&KNOTS, &ORDINATES).unwrap().squash(k), Err(Squash { squash: k }));
     }
+}
+
+/// Every parameter of every quadric, with every kind of wrong number; zero where it makes none.
+#[test]
+fn a_radius_or_height_that_is_none_is_named() {
+    type Make = fn(f32, f32, f32) -> Result<Profile<1>, ProfileError>;
+    /// Which argument, its name, and whether it may be zero.
+    type Parameter = (usize, &'static str, bool);
+    let makers: [(Make, &[Parameter]); 7] = [
+        (|r, h, _| Profile::cylinder(r, h), &[(0, "radius", false), (1, "height", false)]),
+        (|r, h, _| Profile::cone(r, h), &[(0, "radius", false), (1, "height", false)]),
+        (Profile::frustum, &[(0, "base", true), (1, "top", true), (2, "height", false)]),
+        (|r, _, _| Profile::sphere(r), &[(0, "radius", false)]),
+        (|r, h, _| Profile::spheroid(r, h), &[(0, "radius", false), (1, "half_height", false)]),
+        (|r, h, _| Profile::paraboloid(r, h), &[(0, "radius", false), (1, "height", false)]),
+        (Profile::hyperboloid, &[(0, "waist", true), (1, "rim", false), (2, "half_height", false)]),
+    ];
+    for (make, parameters) in makers {
+        assert!(make(1.0, 2.0, 3.0).is_ok());
+        for &(place, name, may_be_zero) in parameters {
+            for value in [-1.0, -1e-40, 0.0, -0.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+                let mut given = [1.0, 2.0, 3.0];
+                given[place] = value;
+                let made = make(given[0], given[1], given[2]);
+                if value == 0.0 && may_be_zero {
+                    assert!(made.is_ok(), "{name} = {value}: {made:?}");
+                } else {
+                    assert_eq!(made, Err(ProfileError::Dimension { name, value }));
+                }
+            }
+        }
+    }
+    assert_eq!(Profile::frustum(0.0, 0.0, 1.0), Err(ProfileError::Dimension { name: "top", value: 0.0 }));
 }
 
 #[test]
 fn a_squared_radius_may_touch_zero_but_not_pass_it() {
-    // At an end, and only between the ends, in either segment.
-    assert_eq!(profile(&KNOTS, &with(&ORDINATES, 0, -0.01)), Err(ProfileError::Negative { segment: 0 }));
-    assert_eq!(profile(&KNOTS, &with(&ORDINATES, 1, -0.4)), Err(ProfileError::Negative { segment: 0 }));
-    assert_eq!(profile(&KNOTS, &with(&ORDINATES, 5, -0.4)), Err(ProfileError::Negative { segment: 1 }));
+    let negative = |profile: Result<Profile<4>, ProfileError>, segment, heights: [f32; 2], square: f32| {
+        let Err(ProfileError::Negative { segment: found, height, square: least }) = profile else {
+            panic!("{profile:?}");
+        };
+        assert!((heights[0]..=heights[1]).contains(&height), "{height} is not within {heights:?}");
+        assert!((least - square).abs() <= 1e-3 * square.abs(), "{least} instead of {square}");
+        assert_eq!(found, segment);
+    };
+    // At an end, and only between the ends, in either segment: the least values are those of the cubics in f64.
+    negative(profile(&KNOTS, &with(&ORDINATES, 0, -0.01)), 0, [0.0, 0.0], -0.01);
+    negative(profile(&KNOTS, &with(&ORDINATES, 1, -0.4)), 0, [0.08, 0.12], least([0.1, -0.4, 0.3, 0.2]));
+    negative(profile(&KNOTS, &with(&ORDINATES, 5, -0.4)), 1, [0.74, 0.82], least([0.2, 0.1, -0.4, 0.4]));
     // A negative ordinate alone does not make a negative radius.
     assert!(profile(&KNOTS, &with(&ORDINATES, 1, -0.05)).is_ok());
     // (1 − 2u)² touches zero at 1/2; scaled by numbers that round.
@@ -58,18 +107,51 @@ fn a_squared_radius_may_touch_zero_but_not_pass_it() {
         assert!(profile(&[0.0, 1.0], &touching).is_ok(), "{scale}");
         let mut below = touching;
         below[1] -= 1e-5 * scale;
-        assert_eq!(profile(&[0.0, 1.0], &below), Err(ProfileError::Negative { segment: 0 }), "{scale}");
+        let square = least(below.map(f64::from)).min(-3e-6 * scale);
+        assert!(square > -5e-6 * scale);
+        let found = profile(&[0.0, 1.0], &below);
+        let Err(ProfileError::Negative { segment: 0, height, square }) = found else { panic!("{found:?}") };
+        assert!((height - 0.5).abs() < 0.01, "{height}");
+        assert!(square < -3e-6 * scale && square > -5e-6 * scale, "{square}");
     }
+}
+
+/// The least value of a cubic in Bernstein form over [0, 1], among ten thousand.
+fn least(b: [f64; 4]) -> f32 {
+    let value = |u: f64| {
+        let v = 1.0 - u;
+        b[0] * v * v * v + 3.0 * b[1] * v * v * u + 3.0 * b[2] * v * u * u + b[3] * u * u * u
+    };
+    (0..=10_000).map(|i| value(f64::from(i) / 10_000.0)).fold(f64::INFINITY, f64::min) as f32
 }
 
 #[test]
 fn a_message_reads_well() {
-    let error = profile(&[0.0, 0.4, 0.3], &ORDINATES).unwrap_err();
-    assert_eq!(error.to_string(), "not above the knot before it, or by too little: knot 2");
-    assert_eq!(
-        profile(&KNOTS, &ORDINATES[..6]).unwrap_err().to_string(),
-        "the number of ordinates is not 3 a segment and 1 more: it should be 7"
-    );
+    let error = |result: Result<Profile<4>, ProfileError>| result.unwrap_err().to_string();
+    let not_above =
+        "the height of knot 2 is 0.3, not above, or too little above, that of the knot before it, 0.4";
+    assert_eq!(error(profile(&[0.0, 0.4, 0.3], &ORDINATES)), not_above);
+    let count = "there must be 3 ordinates a segment and 1 more, 7, and there are 6";
+    assert_eq!(error(profile(&KNOTS, &ORDINATES[..6])), count);
+    let negative = "the squared radius is -0.01 at the height 0.0, in segment 0";
+    assert_eq!(error(profile(&KNOTS, &with(&ORDINATES, 0, -0.01))), negative);
+    let dimension = |radius| Profile::sphere(radius).unwrap_err().to_string();
+    assert_eq!(dimension(-1.5), "the parameter radius must not be negative, and is -1.5");
+    assert_eq!(dimension(0.0), "the parameter radius must not be zero, and is 0.0");
+    assert_eq!(dimension(f32::NAN), "the parameter radius must be finite, and is NaN");
+}
+
+/// Errors are keys, too: equal ones have the same hash, a NaN in them is equal to itself, and another number is not.
+#[test]
+fn errors_are_compared_and_hashed_by_their_bits() {
+    let numbers = [f32::NAN, 0.0, -0.0, 1.5, f32::INFINITY];
+    let mut known = std::collections::HashSet::new();
+    for squash in numbers {
+        assert!(known.insert(ProfileError::Squash { squash }));
+        assert!(!known.insert(ProfileError::Squash { squash }));
+        assert!(known.insert(ProfileError::Size { square: squash }));
+    }
+    assert_eq!(known.len(), 2 * numbers.len());
 }
 
 /// Many segments, known at run time only, and room to spare.
@@ -203,12 +285,13 @@ fn a_ray_needs_numbers_and_a_direction() {
         for i in 0..3 {
             let mut v = [1.0; 3];
             v[i] = bad;
-            assert_eq!(Ray::new(v, [1.0; 3]), Err(RayError::NotFinite));
-            assert_eq!(Ray::new([1.0; 3], v), Err(RayError::NotFinite));
+            assert_eq!(Ray::new(v, [1.0; 3]), Err(RayError::OriginNotFinite { origin: v }));
+            assert_eq!(Ray::new([1.0; 3], v), Err(RayError::DirectionNotFinite { direction: v }));
         }
     }
-    assert_eq!(Ray::new([1.0; 3], [0.0, -0.0, 0.0]), Err(RayError::NoDirection));
-    assert_eq!(Ray::new([1.0; 3], [1e-40, 0.0, 0.0]), Err(RayError::NoDirection));
+    for direction in [[0.0, -0.0, 0.0], [1e-40, 0.0, 0.0]] {
+        assert_eq!(Ray::new([1.0; 3], direction), Err(RayError::NoDirection { direction }));
+    }
     let ball = Lathe::turn(Profile::sphere(1.0).unwrap());
     let ray = Ray::new([0.0, -3.0, 0.0], [0.0, 1.0, 0.0]).unwrap();
     assert_eq!(ball.nearest(&ray, f32::NAN), None, "beyond nothing");

@@ -6,7 +6,8 @@ pub mod shapes;
 
 use core::f32::consts::PI;
 use embedded_lathe::{
-    Background, Camera, End, Lathe, Light, Pose, Profile, Rgb, Rotation, Scene, Segment, Solid, valid,
+    Background, Camera, End, Lathe, Light, Pose, Profile, Rgb, Rotation, Scene, SceneError, Segment, Solid,
+    valid,
 };
 
 /// The vase's joins, bottom to top.
@@ -62,21 +63,19 @@ pub const SKY: Background =
 
 const PLAIN: Background = Background::Plain(Rgb::new(0.10, 0.14, 0.22));
 
-const fn vase_camera(up: [f32; 3]) -> Camera {
-    match Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], up, 0.3) {
-        Ok(camera) => camera,
-        Err(error) => error.stop(),
-    }
+const fn vase_camera(up: [f32; 3]) -> Result<Camera, SceneError> {
+    Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], up, 0.3)
 }
 
 /// The vase, upright.
 pub static VASE_SCENE: Scene =
-    Scene::new(&[Solid::new(&VASE, CLAY)], vase_camera([0.0, 0.0, 1.0]), DAYLIGHT).with_background(PLAIN);
+    Scene::new(&[Solid::new(&VASE, CLAY)], valid!(vase_camera([0.0, 0.0, 1.0])), DAYLIGHT)
+        .with_background(PLAIN);
 
 /// The vase turned 30° about the x axis, the camera rolled 20°.
 pub static TILTED_SCENE: Scene = Scene::new(
     &[Solid::new(&VASE, CLAY).posed(valid!(Pose::new([0.0; 3], Rotation::about_x(PI / 6.0), 1.0)))],
-    vase_camera([0.342_020_14, 0.0, 0.939_692_6]),
+    valid!(vase_camera([0.342_020_14, 0.0, 0.939_692_6])),
     DAYLIGHT,
 )
 .with_background(PLAIN);
@@ -151,10 +150,10 @@ pub static BALL_IN_BOWL: Scene = BOWL_SCENE.with_solids(&[
 /// A round board.
 pub static BOARD: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::cylinder(1.2, 0.06)));
 
-const fn pawn_at(x: f32, y: f32, color: Rgb) -> Solid<'static> {
+const fn pawn_at(x: f32, y: f32, color: Rgb) -> Result<Solid<'static>, SceneError> {
     match Pose::new([x, y, 0.06], Rotation::IDENTITY, 0.7) {
-        Ok(pose) => Solid::new(&PAWN, color).posed(pose),
-        Err(error) => error.stop(),
+        Ok(pose) => Ok(Solid::new(&PAWN, color).posed(pose)),
+        Err(error) => Err(error),
     }
 }
 
@@ -162,12 +161,12 @@ const fn pawn_at(x: f32, y: f32, color: Rgb) -> Solid<'static> {
 pub static PAWNS: Scene = Scene::new(
     &[
         Solid::new(&BOARD, Rgb::new(0.35, 0.22, 0.15)),
-        pawn_at(-0.6, -0.4, Rgb::gray(0.85)),
-        pawn_at(0.0, -0.6, Rgb::gray(0.85)),
-        pawn_at(0.6, -0.4, Rgb::gray(0.85)),
-        pawn_at(-0.6, 0.4, Rgb::gray(0.3)),
-        pawn_at(0.0, 0.6, Rgb::gray(0.3)),
-        pawn_at(0.6, 0.4, Rgb::gray(0.3)),
+        valid!(pawn_at(-0.6, -0.4, Rgb::gray(0.85))),
+        valid!(pawn_at(0.0, -0.6, Rgb::gray(0.85))),
+        valid!(pawn_at(0.6, -0.4, Rgb::gray(0.85))),
+        valid!(pawn_at(-0.6, 0.4, Rgb::gray(0.3))),
+        valid!(pawn_at(0.0, 0.6, Rgb::gray(0.3))),
+        valid!(pawn_at(0.6, 0.4, Rgb::gray(0.3))),
     ],
     valid!(Camera::perspective([0.0, -2.8, 1.9], [0.0, 0.0, 0.1], [0.0, 0.0, 1.0], 0.42)),
     DAYLIGHT,

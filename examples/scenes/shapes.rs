@@ -1,9 +1,11 @@
 //! Shapes that real outlines have: shoulders, walls with thickness, solids that no plane parts.
 
 use super::{BALL, BOWL, BOWL_SCENE, DAYLIGHT, KNOB_SCENE, SKY};
-use embedded_lathe::{Camera, End, Lathe, Pose, Profile, Rgb, Rotation, Scene, Segment, Solid, valid};
+use embedded_lathe::{
+    Camera, End, Lathe, Pose, Profile, ProfileError, Rgb, Rotation, Scene, SceneError, Segment, Solid, valid,
+};
 
-const fn stepped(riser: f32) -> Lathe<[Segment; 4]> {
+const fn stepped(riser: f32) -> Result<Profile<4>, ProfileError> {
     let knots = [0.0, 0.2, 0.2 + riser, 0.34, 0.38];
     let ordinates = [
         0.25, 0.25, 0.25, //
@@ -11,16 +13,13 @@ const fn stepped(riser: f32) -> Lathe<[Segment; 4]> {
         0.13, 0.13, 0.13, //
         0.13, 0.13, 0.12, 0.1,
     ];
-    match Profile::from_squared_radii(&knots, &ordinates) {
-        Ok(profile) => Lathe::turn(profile.closed()),
-        Err(error) => error.stop(),
-    }
+    Profile::from_squared_radii(&knots, &ordinates)
 }
 
-static RISER_2: Lathe<[Segment; 4]> = stepped(1e-2);
-static RISER_3: Lathe<[Segment; 4]> = stepped(1e-3);
-static RISER_4: Lathe<[Segment; 4]> = stepped(1e-4);
-static RISER_6: Lathe<[Segment; 4]> = stepped(1e-6);
+static RISER_2: Lathe<[Segment; 4]> = Lathe::turn(valid!(stepped(1e-2)).closed());
+static RISER_3: Lathe<[Segment; 4]> = Lathe::turn(valid!(stepped(1e-3)).closed());
+static RISER_4: Lathe<[Segment; 4]> = Lathe::turn(valid!(stepped(1e-4)).closed());
+static RISER_6: Lathe<[Segment; 4]> = Lathe::turn(valid!(stepped(1e-6)).closed());
 
 const fn knob(lathe: &'static Lathe) -> Solid<'static> {
     Solid::new(lathe, Rgb::gray(0.75)).shiny(20)
@@ -56,7 +55,7 @@ pub static BOWLS_BALL: Scene = BOWL_SCENE.with_solids(&[Solid::new(&BALL, Rgb::n
 
 const RIPPLES: usize = 12;
 
-const fn ripples() -> Lathe<[Segment; RIPPLES]> {
+const fn ripples() -> Result<Profile<RIPPLES>, ProfileError> {
     let mut knots = [0.0; RIPPLES + 1];
     let mut ordinates = [0.0; 3 * RIPPLES + 1];
     let mut i = 0;
@@ -72,34 +71,31 @@ const fn ripples() -> Lathe<[Segment; RIPPLES]> {
         }
         i += 1;
     }
-    match Profile::from_squared_radii(&knots, &ordinates) {
-        Ok(profile) => Lathe::turn(profile.closed()),
-        Err(error) => error.stop(),
-    }
+    Profile::from_squared_radii(&knots, &ordinates)
 }
 
-static RIPPLED: Lathe<[Segment; RIPPLES]> = ripples();
+static RIPPLED: Lathe<[Segment; RIPPLES]> = Lathe::turn(valid!(ripples()).closed());
 
-const fn through(axis: [f32; 3], angle: f32, color: Rgb) -> Solid<'static> {
+const fn through(axis: [f32; 3], angle: f32, color: Rgb) -> Result<Solid<'static>, SceneError> {
     let rotation = match Rotation::about(axis, angle) {
         Ok(rotation) => rotation,
-        Err(error) => error.stop(),
+        Err(error) => return Err(error),
     };
     // About the solid's middle.
     let up = rotation.apply([0.0, 0.0, -0.5]);
     match Pose::new(up, rotation, 1.0) {
-        Ok(pose) => Solid::new(&RIPPLED, color).posed(pose),
-        Err(error) => error.stop(),
+        Ok(pose) => Ok(Solid::new(&RIPPLED, color).posed(pose)),
+        Err(error) => Err(error),
     }
 }
 
 static THROUGH: [Solid; 6] = [
-    through([1.0, 0.0, 0.0], 0.0, Rgb::new(0.8, 0.3, 0.3)),
-    through([1.0, 0.0, 0.0], 1.0, Rgb::new(0.3, 0.8, 0.3)),
-    through([0.0, 1.0, 0.0], 1.2, Rgb::new(0.3, 0.3, 0.8)),
-    through([1.0, 1.0, 0.0], 1.4, Rgb::new(0.8, 0.8, 0.3)),
-    through([1.0, -1.0, 0.0], 0.7, Rgb::new(0.3, 0.8, 0.8)),
-    through([1.0, 0.3, 0.5], 2.0, Rgb::new(0.8, 0.3, 0.8)),
+    valid!(through([1.0, 0.0, 0.0], 0.0, Rgb::new(0.8, 0.3, 0.3))),
+    valid!(through([1.0, 0.0, 0.0], 1.0, Rgb::new(0.3, 0.8, 0.3))),
+    valid!(through([0.0, 1.0, 0.0], 1.2, Rgb::new(0.3, 0.3, 0.8))),
+    valid!(through([1.0, 1.0, 0.0], 1.4, Rgb::new(0.8, 0.8, 0.3))),
+    valid!(through([1.0, -1.0, 0.0], 0.7, Rgb::new(0.3, 0.8, 0.8))),
+    valid!(through([1.0, 0.3, 0.5], 2.0, Rgb::new(0.8, 0.3, 0.8))),
 ];
 
 const AROUND: Camera = valid!(Camera::perspective([0.3, -2.2, 0.7], [0.0; 3], [0.0, 0.0, 1.0], 0.3));

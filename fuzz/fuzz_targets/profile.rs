@@ -21,7 +21,7 @@ fuzz_target!(|input: Input| {
     let least = |segment: usize| least(&ordinates[3 * segment..3 * segment + 4]);
     let profile = match Profile::<8>::from_squared_radii(knots, ordinates) {
         Ok(profile) => profile,
-        Err(ProfileError::Negative { segment }) => {
+        Err(ProfileError::Negative { segment, .. }) => {
             assert!(least(segment) < 0.0, "{input:?}");
             return;
         }

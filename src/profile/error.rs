@@ -1,22 +1,31 @@
-use core::fmt;
+use crate::message::Piece::{Count, Number, Text};
+use crate::message::{Message, says};
 
 /// What keeps numbers from being a profile, and which of them it is.
 ///
 /// ```
 /// use embedded_lathe::{Profile, ProfileError};
 ///
-/// let dips = Profile::<1>::from_squared_radii(&[0.0, 1.0], &[0.1, -0.4, 0.1, 0.1]);
-/// assert_eq!(dips, Err(ProfileError::Negative { segment: 0 }));
+/// let dips = Profile::<1>::from_squared_radii(&[0.0, 1.0], &[0.1, -0.4, -0.4, 0.1]);
+/// let Err(error @ ProfileError::Negative { segment: 0, height: 0.5, square }) = dips else { panic!() };
+/// assert!((square - -0.275).abs() < 1e-6);
+/// assert_eq!(error.to_string(), format!("the squared radius is {square} at the height 0.5, in segment 0"));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum ProfileError {
     /// Fewer than two knots: not one segment.
-    NoSegments,
+    NoSegments {
+        /// How many knots there are.
+        knots: usize,
+    },
     /// More segments than the profile has room for.
     TooManySegments {
         /// How many there are.
         segments: usize,
+        /// For how many the profile has room, its N.
+        capacity: usize,
     },
     /// Not three ordinates a segment and one more.
     OrdinateCount {
@@ -25,75 +34,130 @@ pub enum ProfileError {
         /// How many there are.
         found: usize,
     },
-    /// A knot is infinite or not a number.
+    /// A knot is infinite or NaN.
     KnotNotFinite {
         /// Which knot, from 0.
         knot: usize,
+        /// Its height.
+        height: f32,
     },
     /// A knot is not above the one before it, or by less than 10⁻¹⁰ of the largest radius.
     KnotsNotIncreasing {
         /// The upper of the two, from 1.
         knot: usize,
+        /// The height of the one before it.
+        before: f32,
+        /// Its own height.
+        height: f32,
     },
-    /// An ordinate is infinite or not a number.
+    /// An ordinate is infinite or NaN.
     OrdinateNotFinite {
         /// Which ordinate, from 0.
         point: usize,
+        /// The ordinate itself.
+        square: f32,
     },
     /// The squared radius is negative somewhere in a segment, be it between its ends alone.
     Negative {
         /// Which segment, from 0.
         segment: usize,
+        /// The height at which the squared radius is least.
+        height: f32,
+        /// The squared radius there.
+        square: f32,
     },
-    /// The squared radius is zero everywhere, or its largest value outside 10⁻³⁰ to 10³⁰.
-    Size,
+    /// The largest squared radius is not between 10⁻³⁰ and 10³⁰.
+    Size {
+        /// The largest squared radius.
+        square: f32,
+    },
     /// The profile is more than 10¹⁰ times as high as its largest radius.
-    Height,
-    /// The squash is outside [0, 1].
-    Squash,
+    Height {
+        /// How high it is.
+        height: f32,
+        /// Its largest radius.
+        radius: f32,
+    },
+    /// The squash is outside 0 to 1, or NaN.
+    Squash {
+        /// The squash given.
+        squash: f32,
+    },
+    /// A radius or a height of an exact profile, as [`Profile::cylinder`](crate::Profile::cylinder), is negative, zero,
+    /// infinite or NaN.
+    Dimension {
+        /// What the parameter is called.
+        name: &'static str,
+        /// The number given.
+        value: f32,
+    },
 }
 
 impl ProfileError {
-    /// The message, and the number of the culprit if there is one.
-    const fn parts(self) -> (&'static str, Option<usize>) {
+    const fn message(self) -> Message {
         match self {
-            Self::NoSegments => ("a profile needs at least two knots", None),
-            Self::TooManySegments { segments } => {
-                ("more segments than the profile has room for: ", Some(segments))
+            Self::NoSegments { knots } => {
+                Message::of([Text("a profile needs at least 2 knots, and has "), Count(knots)])
             }
-            Self::OrdinateCount { expected, .. } => {
-                ("the number of ordinates is not 3 a segment and 1 more: it should be ", Some(expected))
+            Self::TooManySegments { segments, capacity } => Message::of([
+                Text("the profile has room for "),
+                Count(capacity),
+                Text(" segments, and the knots make "),
+                Count(segments),
+            ]),
+            Self::OrdinateCount { expected, found } => Message::of([
+                Text("there must be 3 ordinates a segment and 1 more, "),
+                Count(expected),
+                Text(", and there are "),
+                Count(found),
+            ]),
+            Self::KnotNotFinite { knot, height } => {
+                Message::of([Text("the height of knot "), Count(knot), Text(" is "), Number(height)])
             }
-            Self::KnotNotFinite { knot } => ("not finite: knot ", Some(knot)),
-            Self::KnotsNotIncreasing { knot } => {
-                ("not above the knot before it, or by too little: knot ", Some(knot))
+            Self::KnotsNotIncreasing { knot, before, height } => Message::of([
+                Text("the height of knot "),
+                Count(knot),
+                Text(" is "),
+                Number(height),
+                Text(", not above, or too little above, that of the knot before it, "),
+                Number(before),
+            ]),
+            Self::OrdinateNotFinite { point, square } => {
+                Message::of([Text("ordinate "), Count(point), Text(" is "), Number(square)])
             }
-            Self::OrdinateNotFinite { point } => ("not finite: ordinate ", Some(point)),
-            Self::Negative { segment } => ("the squared radius is negative in segment ", Some(segment)),
-            Self::Size => ("the squared radius has no largest value between 1e-30 and 1e30", None),
-            Self::Height => ("the profile is more than 1e10 times as high as wide", None),
-            Self::Squash => ("the squash is not between 0 and 1", None),
+            Self::Negative { segment, height, square } => Message::of([
+                Text("the squared radius is "),
+                Number(square),
+                Text(" at the height "),
+                Number(height),
+                Text(", in segment "),
+                Count(segment),
+            ]),
+            Self::Size { square } => Message::of([
+                Text("the largest squared radius must be from 1e-30 to 1e30, and is "),
+                Number(square),
+            ]),
+            Self::Height { height, radius } => Message::of([
+                Text("the profile is "),
+                Number(height),
+                Text(" high, more than 1e10 times its largest radius, "),
+                Number(radius),
+            ]),
+            Self::Squash { squash } => {
+                Message::of([Text("the squash must be from 0 to 1, and is "), Number(squash)])
+            }
+            Self::Dimension { name, value } => {
+                let fault = if value < 0.0 {
+                    " must not be negative, and is "
+                } else if value == 0.0 {
+                    " must not be zero, and is "
+                } else {
+                    " must be finite, and is "
+                };
+                Message::of([Text("the parameter "), Text(name), Text(fault), Number(value)])
+            }
         }
-    }
-
-    /// Stops the compilation with the message. Called by [`valid!`](crate::valid).
-    #[doc(hidden)]
-    #[track_caller]
-    pub const fn stop(self) -> ! {
-        let (text, number) = self.parts();
-        crate::valid::stop(text, number)
     }
 }
 
-impl fmt::Display for ProfileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (text, number) = self.parts();
-        f.write_str(text)?;
-        match number {
-            Some(number) => write!(f, "{number}"),
-            None => Ok(()),
-        }
-    }
-}
-
-impl core::error::Error for ProfileError {}
+says!(ProfileError);

@@ -1,0 +1,112 @@
+use super::{Profile, ProfileError};
+
+/// Exact profiles of one segment: quadrics, whose cubic coefficient is zero. Both ends are capped.
+///
+/// # Errors
+///
+/// All of them return [`ProfileError::Dimension`] if a height is not positive and finite, or a radius neither that nor, where
+/// its doc says so, zero; otherwise [`ProfileError`] as [`Profile::from_squared_radii`].
+impl Profile<1> {
+    /// A cylinder from z = 0 to z = height.
+    pub const fn cylinder(radius: f32, height: f32) -> Result<Self, ProfileError> {
+        if let Err(error) = all_positive([("radius", radius), ("height", height)]) {
+            return Err(error);
+        }
+        Self::cone_between(radius, radius, height)
+    }
+
+    /// A cone with its base at z = 0 and its apex at z = height.
+    pub const fn cone(radius: f32, height: f32) -> Result<Self, ProfileError> {
+        if let Err(error) = all_positive([("radius", radius), ("height", height)]) {
+            return Err(error);
+        }
+        Self::cone_between(radius, 0.0, height)
+    }
+
+    /// A frustum of a cone, `base` its radius at z = 0, `top` that at z = height. One of the radii may be zero: then it is a
+    /// cone.
+    pub const fn frustum(base: f32, top: f32, height: f32) -> Result<Self, ProfileError> {
+        // What may be zero beside a positive number may not be negative.
+        let checked = if base == 0.0 {
+            all_positive([("top", top), ("height", height)])
+        } else if top == 0.0 {
+            all_positive([("base", base), ("height", height)])
+        } else {
+            all_positive([("base", base), ("top", top), ("height", height)])
+        };
+        if let Err(error) = checked {
+            return Err(error);
+        }
+        Self::cone_between(base, top, height)
+    }
+
+    /// A sphere about the origin.
+    pub const fn sphere(radius: f32) -> Result<Self, ProfileError> {
+        if let Err(error) = all_positive([("radius", radius)]) {
+            return Err(error);
+        }
+        Self::spheroid(radius, radius)
+    }
+
+    /// A spheroid about the origin: `radius` at its equator, from z = −half_height to z = half_height.
+    pub const fn spheroid(radius: f32, half_height: f32) -> Result<Self, ProfileError> {
+        if let Err(error) = all_positive([("radius", radius), ("half_height", half_height)]) {
+            return Err(error);
+        }
+        // r² = radius²·4·u·(1 − u)
+        Self::quadratic(-half_height, half_height, [0.0, 2.0 * radius * radius, 0.0])
+    }
+
+    /// A paraboloid with its apex at the origin, `radius` its radius at z = height.
+    pub const fn paraboloid(radius: f32, height: f32) -> Result<Self, ProfileError> {
+        if let Err(error) = all_positive([("radius", radius), ("height", height)]) {
+            return Err(error);
+        }
+        // r² = radius²·u
+        let square = radius * radius;
+        Self::quadratic(0.0, height, [0.0, 0.5 * square, square])
+    }
+
+    /// A hyperboloid of one sheet, like a cooling tower, `waist` its radius at z = 0, `rim` that at z = ±half_height. A waist
+    /// of zero makes a double cone, and one wider than the rim a barrel, which is a zone of a spheroid.
+    pub const fn hyperboloid(waist: f32, rim: f32, half_height: f32) -> Result<Self, ProfileError> {
+        let checked = if waist == 0.0 {
+            all_positive([("rim", rim), ("half_height", half_height)])
+        } else {
+            all_positive([("waist", waist), ("rim", rim), ("half_height", half_height)])
+        };
+        if let Err(error) = checked {
+            return Err(error);
+        }
+        // r² = waist² + (rim² − waist²)·(2·u − 1)²
+        let (waist, rim) = (waist * waist, rim * rim);
+        Self::quadratic(-half_height, half_height, [rim, 2.0 * waist - rim, rim])
+    }
+
+    const fn cone_between(base: f32, top: f32, height: f32) -> Result<Self, ProfileError> {
+        // r = base·(1 − u) + top·u
+        Self::quadratic(0.0, height, [base * base, base * top, top * top])
+    }
+
+    /// A quadratic's three ordinates, raised to a cubic's four.
+    const fn quadratic(z: f32, top: f32, [q0, q1, q2]: [f32; 3]) -> Result<Self, ProfileError> {
+        let ordinates = [q0, (q0 + 2.0 * q1) / 3.0, (2.0 * q1 + q2) / 3.0, q2];
+        match Self::from_squared_radii(&[z, top], &ordinates) {
+            Ok(profile) => Ok(profile.closed()),
+            Err(error) => Err(error),
+        }
+    }
+}
+
+/// The first of the parameters that is not positive and finite, as an error.
+const fn all_positive<const N: usize>(parameters: [(&'static str, f32); N]) -> Result<(), ProfileError> {
+    let mut i = 0;
+    while i < N {
+        let (name, value) = parameters[i];
+        if !(value > 0.0 && value < f32::INFINITY) {
+            return Err(ProfileError::Dimension { name, value });
+        }
+        i += 1;
+    }
+    Ok(())
+}

@@ -31,6 +31,7 @@ pub mod lathes;
 pub mod oracle;
 pub mod outlines;
 pub mod peers;
+pub mod readme;
 /// The reference scenes, which the examples draw.
 #[path = "../../examples/scenes/mod.rs"]
 pub mod scenes;

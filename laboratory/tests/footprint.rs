@@ -1,11 +1,13 @@
-//! Flash and RAM that the library adds to firmware in Cargo's profile `small`, as a table, and within bounds. The
-//! solids' segments are in what is subtracted, too: they are the user's. So are the demo's own functions.
+//! Flash and RAM that the library adds to firmware in Cargo's profile `small`: as README's table has them. The solids'
+//! segments are in what is subtracted, too: they are the user's. So are the demo's own functions.
 //!
 //! ```text
-//! cargo test --test footprint -- --ignored --nocapture       needs the three targets
+//! cargo test --test footprint -- --ignored --skip write --nocapture       needs the three targets
+//! cargo test --test footprint -- --ignored write                          README's rows
 //! ```
 
 use laboratory::firmware::{self, M0, M3, M4F};
+use laboratory::readme;
 use object::{File, Object, ObjectSection, ObjectSymbol, SectionFlags, SectionKind, elf};
 use std::{fs, ops::Sub, path::Path};
 
@@ -50,84 +52,81 @@ fn own(path: &Path, module: &str) -> u64 {
     flash
 }
 
-/// What a firmware has beyond the same without the library.
+/// What firmware has beyond the same without the library.
 struct Row {
     title: &'static str,
     with: &'static str,
+    /// Empty where all of it counts.
     without: &'static str,
     /// A module of functions of its own, as symbols name it.
     own: Option<&'static str>,
+    /// The features of what is measured, not of what is subtracted.
+    options: &'static [&'static str],
     targets: &'static [&'static str],
-    /// Flash on a Cortex-M4F, at most.
-    flash: u64,
-    /// RAM: the buffer for pixels, and nothing else.
-    ram: u64,
 }
 
-const ROWS: [Row; 3] = [
-    Row {
-        title: "intersection",
-        with: "footprint-ray",
-        without: "footprint-nothing",
-        own: None,
-        targets: &[M0, M3, M4F],
-        flash: 4096,
-        ram: 0,
-    },
-    Row {
-        title: "renderer",
-        with: "footprint-renderer",
-        without: "footprint-nothing",
-        own: None,
-        targets: &[M0, M3, M4F],
-        flash: 13 * 1024,
-        ram: 240 * 2,
-    },
+/// The least there can be, on every target.
+const NOTHING: Row = Row {
+    title: "",
+    with: "",
+    without: "footprint-nothing",
+    own: None,
+    options: &[],
+    targets: &[M0, M3, M4F],
+};
+const LOGGED: Row = Row { options: &["--features", "defmt"], ..NOTHING };
+const DEMO: Row = Row { with: "oled", without: "", targets: &[M3, M4F], ..NOTHING };
+
+const ROWS: [Row; 6] = [
+    Row { title: "intersection", with: "footprint-ray", ..NOTHING },
+    Row { title: "intersection, logged by defmt", with: "footprint-ray", ..LOGGED },
+    Row { title: "renderer", with: "footprint-renderer", ..NOTHING },
+    Row { title: "renderer, logged by defmt", with: "footprint-renderer", ..LOGGED },
     Row {
         title: "OLED demo, the library's part",
-        with: "oled",
         without: "footprint-card",
         own: Some("4oled4show"),
-        targets: &[M3, M4F],
-        flash: 12 * 1024,
-        ram: 0,
+        ..DEMO
     },
+    Row { title: "OLED demo, whole", ..DEMO },
 ];
+
+impl Row {
+    fn added(&self, target: &str) -> Footprint {
+        let path = |example, options| firmware::build(target, example, firmware::SMALL, options);
+        let with = path(self.with, self.options);
+        let own = Footprint { flash: self.own.map_or(0, |module| own(&with, module)), ram: 0 };
+        let added = footprint(&with) - own;
+        if self.without.is_empty() { added } else { added - footprint(&path(self.without, &[])) }
+    }
+
+    /// As README has them: M0+, M3, M4F.
+    fn cells(&self) -> Vec<String> {
+        let cell = |target: &str| {
+            let Footprint { flash, ram } = self.added(target);
+            format!("{flash} / {ram}")
+        };
+        let mut cells = vec!["—".to_owned(); 3 - self.targets.len()];
+        cells.extend(self.targets.iter().map(|target| cell(target)));
+        cells
+    }
+}
 
 #[test]
 #[ignore = "needs the targets"]
-fn footprint_is_small() {
+fn footprint_is_as_the_readme_says() {
     println!("| flash / RAM, bytes | M0+ | M3 | M4F |\n|---|---:|---:|---:|");
-    let line = |title: &str, sizes: &[Footprint]| {
-        let cells: Vec<_> = sizes.iter().map(|s| format!("{} / {}", s.flash, s.ram)).collect();
-        println!("| {title} | {}{} |", "— | ".repeat(3 - cells.len()), cells.join(" | "));
-    };
-    let of = |target: &str, example: &str, options: &[&str]| {
-        footprint(&firmware::build(target, example, firmware::SMALL, options))
-    };
-
     let mut wrong = Vec::new();
-    for Row { title, with, without, own: module, targets, flash, ram } in ROWS {
-        let added = targets.iter().map(|t| {
-            let own = |module| own(&firmware::build(t, with, firmware::SMALL, &[]), module);
-            let rest = Footprint { flash: module.map_or(0, own), ram: 0 };
-            of(t, with, &[]) - of(t, without, &[]) - rest
-        });
-        let added: Vec<_> = added.collect();
-        line(title, &added);
-        if with.starts_with("footprint") {
-            let defmt = ["--features", "defmt"];
-            let logged: Vec<_> = targets.iter().map(|t| of(t, with, &defmt) - of(t, without, &[])).collect();
-            line(&format!("{title}, logged by defmt"), &logged);
-        }
-        let found = added.last().expect("a target");
-        if !(flash / 4..=flash).contains(&found.flash) {
-            wrong.push(format!("{title}: {} bytes of flash, and {flash} were allowed", found.flash));
-        }
-        if added.iter().any(|a| a.ram != ram) {
-            wrong.push(format!("{title}: RAM beyond {ram} bytes"));
-        }
+    for row in ROWS {
+        let cells = row.cells();
+        println!("| {} | {} |", row.title, cells.join(" | "));
+        wrong.extend(readme::compare(row.title, &cells));
     }
-    line("OLED demo, whole", &[M3, M4F].map(|t| of(t, "oled", &[])));
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+#[ignore = "writes README.md"]
+fn write() {
+    ROWS.iter().for_each(|row| readme::write(row.title, &row.cells()));
 }

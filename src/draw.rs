@@ -4,7 +4,8 @@ mod dither;
 mod paint;
 
 use crate::color::{Paint, Rgb};
-use crate::rows::{Picture, RUN};
+use crate::occlusion::PaintOrder;
+use crate::picture::{Picture, Pixels, RUN, Raster};
 use crate::scene::Scene;
 use core::marker::PhantomData;
 use embedded_graphics_core::{
@@ -67,7 +68,11 @@ impl Scene<'_> {
     {
         let area = display.bounding_box();
         let Size { width, height } = area.size;
-        match self.picture(width, height).pixels((0, 0), (width, height), run) {
+        // By reference: a picture would be a copy of the scene on the stack.
+        let Self { solids, camera, light, background } = self;
+        let order = &PaintOrder::of(solids, camera);
+        let raster = Raster { solids, camera, light, background, order, width, height };
+        match Pixels::new(&raster, (0, 0), (width, height), run) {
             Some(pixels) => display.fill_contiguous(&area, pixels),
             None => Ok(()),
         }
@@ -115,7 +120,7 @@ pub struct PictureImage<'a, C> {
 
 impl<C> OriginDimensions for PictureImage<'_, C> {
     fn size(&self) -> Size {
-        Size::new(self.picture.width, self.picture.height)
+        Size::new(self.picture.width(), self.picture.height())
     }
 }
 
@@ -134,7 +139,7 @@ impl<C: Paint + PixelColor> ImageDrawable for PictureImage<'_, C> {
         let area = self.bounding_box().intersection(area);
         let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
         // Inside the picture, so not negative.
-        match self.picture.pixels((x as u32, y as u32), (width, height), &mut blank()) {
+        match Pixels::new(&self.picture.raster(), (x as u32, y as u32), (width, height), &mut blank()) {
             Some(pixels) => target.fill_contiguous(&Rectangle::new(Point::zero(), area.size), pixels),
             None => Ok(()),
         }

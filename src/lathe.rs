@@ -165,17 +165,17 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     }
 
     /// The height half way up.
-    pub(crate) fn middle(&self) -> f32 {
+    pub(crate) const fn middle(&self) -> f32 {
         self.frame.middle
     }
 
     /// Half the height of the cylinder around it.
-    pub(crate) fn half_height(&self) -> f32 {
+    pub(crate) const fn half_height(&self) -> f32 {
         self.frame.half_height
     }
 
     /// The radius of that, infinite around a sheet.
-    pub(crate) fn radius(&self) -> f32 {
+    pub(crate) const fn radius(&self) -> f32 {
         self.frame.radius
     }
 

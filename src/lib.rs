@@ -41,7 +41,7 @@
 //!
 //! ```text
 //! math → vector → cubic → solve → profile → ray → hit → lathe → surface → color → light → camera
-//!      → pose → solid → scene → occlusion → rows → draw
+//!      → pose → solid → shade → scene → occlusion → picture → draw
 //! ```
 //!
 //! | stage | from | to |
@@ -105,12 +105,13 @@ mod lathe;
 mod light;
 mod message;
 mod occlusion;
+mod picture;
 mod pose;
 mod profile;
 mod ray;
-mod rows;
 mod scene;
 mod scene_error;
+mod shade;
 mod solid;
 mod surface;
 mod valid;
@@ -123,10 +124,10 @@ pub use draw::PictureImage;
 pub use hit::{Hit, Part};
 pub use lathe::{Lathe, Segment};
 pub use light::Light;
+pub use picture::Picture;
 pub use pose::{Pose, Rotation};
 pub use profile::{End, Profile, ProfileError};
 pub use ray::{Ray, RayError};
-pub use rows::Picture;
 pub use scene::Scene;
 pub use scene_error::SceneError;
 pub use solid::Solid;

@@ -1,80 +1,202 @@
-//! Which solids may hide which: far ones are painted before near ones.
+//! In what order solids are painted, and which may hide which: far ones are painted before near ones.
 //!
-//! Where a plane parts two of them, with the eye on the near one's side, the far one never hides the near one. Only
-//! where none is found must pixels ask which is nearer. Any order is right; a good one is cheap.
+//! Where a plane separates two solids, with the eye on the near one's side, no ray meets the far one first. Only where no such
+//! plane is found must pixels ask which of the two is nearer. Any order gives the same picture; a good one is cheap.
 
 use crate::camera::{Camera, Projection};
-use crate::math::{Math, Native};
-use crate::scene::Scene;
+use crate::math::{UNIT_ROUNDOFF, const_fn};
 use crate::solid::Solid;
-use crate::vector::{F32x3, dot};
-use core::{ptr, slice};
+use crate::vector::{F32x3, difference, dot, scale};
+use core::slice;
 
-/// What rounding may do to a distance: one solid may stand on another, and the eye must not be on a cap's very
-/// plane.
-const ROUNDING: f32 = 1.0 + 1.0 / 2_097_152.0;
+/// How much larger than what it is compared with a distance must be: one solid may stand on another, and the eye must not be
+/// in the very plane of a cap. A dot product of three terms is off by three units of roundoff, the support function by four.
+const ROUNDING: f32 = 1.0 + 8.0 * UNIT_ROUNDOFF;
 
-/// Of two solids' radii, squared: so little more is asked for that a normal which is nothing but rounding parts nothing. Its own
-/// square may vanish.
+/// A separating distance along n must exceed this, times the square of the sum of both radii. The square of an n shorter than
+/// 10⁻¹⁹ underflows, and with it the support functions; the distance along it then is no more than 10⁻¹⁹ times that
+/// between the solids, and separates nothing.
 const LEAST: f32 = 1e-12;
 
-/// As far away as parallel rays come from, in radii. What counts is only on which side of a plane.
+/// How far away the eye of parallel rays is taken to be, in sums of both radii: the direction to any point of the two is that
+/// of the rays within 2⁻²⁰.
 const FAR: f32 = 1_048_576.0;
 
-impl Solid<'_> {
-    /// How far the cylinder around it reaches from its centre in a direction, times the length of that.
+/// How many solids a [`PaintOrder`] keeps: as many as a `u32` has groups of four bits. More are ordered anew in every row.
+const KEPT: usize = 8;
+
+/// The order in which solids are painted, and which of them must be compared with the others pixel by pixel:
+/// computed once for a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct PaintOrder {
+    /// The indices of the farthest solids, 0 to 7 in four bits each, that of the farthest in the lowest. Of more than [`KEPT`]
+    /// solids none is kept.
+    indices: u32,
+    /// Bit n is set if the n-th of them may be hidden by one that is painted before it.
+    compared: u8,
+}
+
+/// A solid in its turn.
+pub(crate) struct Painted<'a> {
+    pub solid: &'a Solid<'a>,
+    /// The solids of which the nearest is seen where this one may be: it alone, or, if one painted before it may yet hide it,
+    /// all of them.
+    pub candidates: &'a [Solid<'a>],
+}
+
+impl PaintOrder {
+    /// The order of solids that a camera sees: the farthest first, and of two at the same distance the first in the slice.
     #[inline(never)]
-    fn reach(&self, n: F32x3) -> f32 {
-        let along = dot(n, self.axis());
-        let across = n - self.axis() * along;
-        self.half_height() * along.abs() + self.radius() * Native::sqrt(dot(across, across))
+    pub const fn of(solids: &[Solid], camera: &Camera) -> Self {
+        let mut order = Self { indices: 0, compared: 0 };
+        let (mut rank, mut last) = (0, FIRST);
+        while rank < solids.len() && solids.len() <= KEPT {
+            last = camera.painted_after(solids, last);
+            order.indices |= (index_of(last) as u32) << (4 * rank);
+            order.compared |= (camera.may_be_hidden(solids, last) as u8) << rank;
+            rank += 1;
+        }
+        order
+    }
+
+    /// The solid that is painted as number `rank`, from 0 on; `None` if there are no more. `last` is the place of the solid
+    /// before it, at first [`FIRST`], and becomes this one's; only where no order is kept it is used.
+    #[inline]
+    pub fn painted<'a>(
+        &self,
+        solids: &'a [Solid<'a>],
+        camera: &Camera,
+        rank: usize,
+        last: &mut Place,
+    ) -> Option<Painted<'a>> {
+        let (index, is_compared) = match solids.len() {
+            len if rank >= len => return None,
+            0..=KEPT => ((self.indices >> (4 * rank)) as usize & 7, self.compared >> rank & 1 == 1),
+            _ => camera.painted_next(solids, last),
+        };
+        let solid = solids.get(index)?;
+        Some(Painted { solid, candidates: if is_compared { solids } else { slice::from_ref(solid) } })
     }
 }
 
-impl Scene<'_> {
-    /// The solids that a solid, painted after all that are farther, must be compared with: it alone, or, if one of
-    /// those may yet hide it, all.
+/// A solid's place in the order: its distance's bits over the complement of its index, so that of two numbers the larger is
+/// painted first.
+pub(crate) type Place = u64;
+
+/// Before all others.
+pub(crate) const FIRST: Place = u64::MAX;
+
+/// The index of the solid at a place.
+const fn index_of(place: Place) -> usize {
+    !(place as u32) as usize
+}
+
+impl Camera {
+    /// The place of the solid at an index; 0, the last, if there is none.
+    const fn place(&self, solids: &[Solid], index: usize) -> Place {
+        if index >= solids.len() {
+            return 0;
+        }
+        (self.distance(&solids[index]) as u64) << 32 | !(index as u32) as u64
+    }
+
+    /// The place after another: of those that are painted later the first, 0 if there is none.
     #[inline(never)]
-    pub(crate) fn among<'s>(&'s self, solid: &'s Solid, distance: u32) -> &'s [Solid<'s>] {
-        let may_hide = |far: &Solid| {
-            !ptr::eq(far, solid)
-                && self.camera.distance(far) >= distance
-                && !self.camera.sees_behind(far, solid)
-        };
-        if self.solids.iter().any(may_hide) { self.solids } else { slice::from_ref(solid) }
+    const fn painted_after(&self, solids: &[Solid], last: Place) -> Place {
+        let (mut next, mut index) = (0, 0);
+        while index < solids.len() {
+            let place = self.place(solids, index);
+            if place < last && place > next {
+                next = place;
+            }
+            index += 1;
+        }
+        next
+    }
+
+    /// The index of the solid that is painted after the one at place `last`, which becomes its place, and whether it must be
+    /// compared.
+    #[cold]
+    fn painted_next(&self, solids: &[Solid], last: &mut Place) -> (usize, bool) {
+        *last = self.painted_after(solids, *last);
+        (index_of(*last), self.may_be_hidden(solids, *last))
+    }
+
+    /// Whether the solid at a place may be hidden by one at no smaller distance: whether one of those is not separated from it.
+    #[inline(never)]
+    const fn may_be_hidden(&self, solids: &[Solid], place: Place) -> bool {
+        let near = index_of(place);
+        let mut index = 0;
+        while index < solids.len() && near < solids.len() {
+            if index != near
+                && self.distance(&solids[index]) >= (place >> 32) as u32
+                && !self.sees_behind(&solids[index], &solids[near])
+            {
+                return true;
+            }
+            index += 1;
+        }
+        false
+    }
+}
+
+impl Solid<'_> {
+    /// The support function of the cylinder around the solid: how far it extends from its center in direction n, times n's
+    /// length. Infinite or NaN where n's square overflows.
+    #[inline(never)]
+    const fn support(&self, n: F32x3) -> f32 {
+        let along = dot(n, self.axis());
+        let across = difference(n, scale(self.axis(), along));
+        self.half_height() * along.abs() + self.radius() * length(across)
     }
 }
 
 impl Camera {
-    /// How far away a solid is, its radius added, in numbers that grow with that. So of two in one place the one that
-    /// is painted last, and must ask, tends to be the smaller.
+    /// The distance of a solid's center from the eye plus its radius, as bits: numbers that grow with it. With the radius, of
+    /// two solids in one place the smaller tends to be painted last, so that it is the one to be compared.
     #[inline(never)]
-    pub(crate) fn distance(&self, solid: &Solid) -> u32 {
-        let away = solid.centre_from(self.eye);
-        (Native::sqrt(dot(away, away)) + solid.radius()).to_bits()
+    const fn distance(&self, solid: &Solid) -> u32 {
+        (length(solid.center_from(self.eye)) + solid.radius()).to_bits()
     }
 
-    /// Whether a plane is found between two solids, with the eye on the near one's side: then no ray meets the far one
+    /// Whether a plane is found that separates two solids, with the eye on the near one's side: then no ray meets the far one
     /// first.
     #[inline(never)]
-    pub(crate) fn sees_behind(&self, far: &Solid, near: &Solid) -> bool {
+    const fn sees_behind(&self, far: &Solid, near: &Solid) -> bool {
         let origin = near.position();
-        let between = far.centre_from(origin) - near.centre_from(origin);
-        let (radius, away) = (far.radius(), far.centre_from(self.eye));
+        let between = difference(far.center_from(origin), near.center_from(origin));
+        let (radius, away) = (far.radius(), far.center_from(self.eye));
         let radii = radius + near.radius();
         let least = LEAST * radii * radii;
         let away = match self.projection {
             Projection::Perspective => away,
-            Projection::Orthographic => self.forward * (FAR * radii),
+            Projection::Orthographic => scale(self.forward, FAR * radii),
         };
-        // Normals of planes: across the far one's axis, along it, and across the view of a place between the two.
-        let axial = far.axis() * dot(between, far.axis());
-        let flat = between - axial;
-        let view = away - between * (radius / radii);
-        let beside = flat - view * (dot(flat, view) / dot(view, view));
-        [flat, axial, beside].into_iter().any(|n| {
-            let reach = far.reach(n);
-            ROUNDING * dot(between, n) > reach + near.reach(n) + least && dot(away, n) > ROUNDING * reach
-        })
+        // Three normals are tried: across the far solid's axis, along it, and across the view of a point between the two.
+        let axial = scale(far.axis(), dot(between, far.axis()));
+        let flat = difference(between, axial);
+        let view = difference(away, scale(between, radius / radii));
+        let beside = difference(flat, scale(view, dot(flat, view) / dot(view, view)));
+        let normals = [flat, axial, beside];
+        let mut i = 0;
+        while i < normals.len() {
+            let n = normals[i];
+            let extent = far.support(n);
+            if ROUNDING * dot(between, n) > extent + near.support(n) + least
+                && dot(away, n) > ROUNDING * extent
+            {
+                return true;
+            }
+            i += 1;
+        }
+        false
     }
+}
+
+/// A vector's length; infinite or NaN where its square is, zero where that underflows.
+#[inline(never)]
+const fn length(v: F32x3) -> f32 {
+    let square = dot(v, v);
+    if square < f32::INFINITY { const_fn::sqrt(square) } else { square }
 }

@@ -1,17 +1,12 @@
 //! A lathe in the world, with a color.
 
-use crate::camera::{Projection, Row};
-use crate::color::{Paint, Rgb, Shades, Share};
+use crate::color::Rgb;
 use crate::hit::Hit;
-use crate::lathe::{Lathe, RayRow, Seen, Stop, Sweep, Wall};
-use crate::light::Light;
-use crate::math::rsqrt;
+use crate::lathe::Lathe;
 use crate::pose::Pose;
 use crate::ray::{Ray, RayError};
-use crate::solve::Newton;
 use crate::surface::Surface;
-use crate::vector::{F32x3, Vector, array, difference, largest, one_norm, vector};
-use core::ptr;
+use crate::vector::{F32x3, array, difference, one_norm, scale, sum};
 
 /// A turned solid at its place in the world: what it is, where it is, what it looks like.
 ///
@@ -125,65 +120,45 @@ impl<'a> Solid<'a> {
 
     /// A ray of the world in object space, with the same t.
     #[inline]
-    fn ray_into(&self, ray: &Ray) -> Ray {
+    pub(crate) fn ray_into(&self, ray: &Ray) -> Ray {
         Ray {
             origin: self.pose.point_into(ray.origin),
-            direction: self.pose.rotation.back(ray.direction),
+            direction: self.direction_into(ray.direction),
             unit: ray.unit / self.pose.scale,
         }
     }
 
-    /// Where its own space has its origin.
-    pub(crate) fn position(&self) -> F32x3 {
+    /// A direction of the world, turned into object space; its length stays.
+    #[inline(always)]
+    pub(crate) const fn direction_into(&self, direction: F32x3) -> F32x3 {
+        self.pose.rotation.back(direction)
+    }
+
+    /// The origin of object space, in the world.
+    pub(crate) const fn position(&self) -> F32x3 {
         self.pose.position
     }
 
-    /// From a point to its centre. Positions first: beside a large one rounding would hide the rest.
-    pub(crate) fn centre_from(&self, point: F32x3) -> F32x3 {
-        self.pose.position - point + self.axis() * (self.lathe.middle() * self.pose.scale)
+    /// The vector from a point to the center of the cylinder around the solid, in the world.
+    pub(crate) const fn center_from(&self, point: F32x3) -> F32x3 {
+        // Positions are subtracted first: beside a large position the rest would be lost to rounding.
+        let to_position = difference(self.pose.position, point);
+        sum(to_position, scale(self.axis(), self.lathe.middle() * self.pose.scale))
     }
 
-    /// The direction of its axis, of unit length.
-    pub(crate) fn axis(&self) -> F32x3 {
+    /// The unit vector along the solid's axis, in the world.
+    pub(crate) const fn axis(&self) -> F32x3 {
         self.pose.rotation.axis()
     }
 
-    /// Half the height of the cylinder around it, in the world.
-    pub(crate) fn half_height(&self) -> f32 {
+    /// Half the height of the cylinder around the solid, in the world.
+    pub(crate) const fn half_height(&self) -> f32 {
         self.lathe.half_height() * self.pose.scale
     }
 
-    /// The radius of that, infinite around a sheet.
-    pub(crate) fn radius(&self) -> f32 {
+    /// The radius of that cylinder, infinite around a sheet.
+    pub(crate) const fn radius(&self) -> f32 {
         self.lathe.radius() * self.pose.scale
-    }
-
-    /// The solid as the pixels from `start` to `end` of a row see it.
-    #[inline(never)]
-    pub(crate) fn along<'s>(&'s self, row: &'s Row, start: u32, end: u32) -> SolidRow<'s> {
-        let Ray { origin, direction, unit } = self.ray_into(&row.ray(0));
-        let (step, projection) = row.step();
-        let (step, none) = (self.pose.rotation.back(step), vector([0.0; 3]));
-        let (origin_step, direction_step) = match projection {
-            Projection::Perspective => (none, step),
-            Projection::Orthographic => (step * unit, none),
-        };
-        let rays = RayRow { origin, origin_step, direction, direction_step };
-        let sweep = self.lathe.sweep(&rays, unit, row.camera.rough, row.width, (start, end));
-        SolidRow { solid: self, row, views: Views { first: direction, step: direction_step }, sweep }
-    }
-
-    /// How its surface looks in that light, in colors C.
-    #[inline(always)]
-    pub(crate) fn finish<C: Paint>(&self, light: &Light) -> Finish {
-        let color = self.color.shades(C::SHADES);
-        let ambient = color.dimmed(Share::of_one(light.ambient));
-        Finish {
-            shininess: self.shininess,
-            towards: self.pose.rotation.back(light.towards) * Share::UNITS,
-            ambient: ambient.rounded(),
-            direct: color.without(ambient),
-        }
     }
 }
 
@@ -192,189 +167,5 @@ impl defmt::Format for Solid<'_> {
     fn format(&self, f: defmt::Formatter) {
         let Self { pose, color, shininess, .. } = self;
         defmt::write!(f, "Solid {{ pose: {}, color: {}, shininess: {} }}", pose, color, shininess);
-    }
-}
-
-/// A solid along a row of pixels.
-pub(crate) struct SolidRow<'a> {
-    solid: &'a Solid<'a>,
-    row: &'a Row<'a>,
-    pub views: Views,
-    sweep: Sweep<'a>,
-}
-
-/// The directions of a row's rays, in a solid's own space: that of column 0, and by how much the next one's
-/// differs.
-#[derive(Clone, Copy)]
-pub(crate) struct Views {
-    first: F32x3,
-    step: F32x3,
-}
-
-impl SolidRow<'_> {
-    /// Whether nothing of it is seen.
-    pub fn is_far(&self) -> bool {
-        self.sweep.is_far
-    }
-
-    /// Another solid may be nearer.
-    pub fn share(&mut self) {
-        self.sweep.share();
-    }
-
-    /// How many pixels there are: from the middle of what is seen to the right, or, turned, to the left.
-    pub fn end(&self) -> u32 {
-        self.sweep.end
-    }
-
-    /// Goes on with the left half, if that is not seen yet.
-    pub fn turn(&mut self) -> bool {
-        self.sweep.turn()
-    }
-
-    /// Whether pixels are counted to the left.
-    pub fn is_turned(&self) -> bool {
-        self.sweep.is_turned
-    }
-
-    /// The column of the i-th pixel.
-    #[inline(always)]
-    pub fn column(&self, i: u32) -> u32 {
-        let middle = self.sweep.middle;
-        if self.sweep.is_turned { middle - 1 - i } else { middle + i }
-    }
-
-    /// The column of the i-th pixel's mirror image.
-    pub fn opposite(&self, i: u32) -> u32 {
-        self.sweep.middle - 1 - i
-    }
-
-    /// The mirror image of the light's direction, if the left half is the right one's: what it sees looks as what the
-    /// right one sees does in that light.
-    pub fn mirrored(&self, towards: F32x3) -> Option<F32x3> {
-        let across = self.sweep.mirror()?;
-        Some(towards - across * (2.0 * across.dot(towards) / across.dot(across)))
-    }
-
-    /// The pixel as far as which the root, if there is one, can be followed from the i-th.
-    #[inline(always)]
-    pub fn followed(&self, i: u32) -> Option<u32> {
-        self.sweep.followed(i)
-    }
-
-    /// As [`Sweep::wall`].
-    #[inline(always)]
-    pub fn wall(&self) -> Wall {
-        self.sweep.wall()
-    }
-
-    /// Follows it from the i-th pixel up to another. The first pixel that it is not certain of, if any, is the one
-    /// returned.
-    #[inline(always)]
-    pub fn follow(&mut self, i: u32, to: u32, mut see: impl FnMut(F32x3, &Views)) -> (u32, Stop) {
-        let Self { views, sweep, .. } = self;
-        sweep.follow(i, to, |at| see(at, views))
-    }
-
-    /// The root was followed up to the i-th pixel, and why no farther: there may be another way to go on.
-    pub fn stopped(&mut self, i: u32, stop: Stop) {
-        self.sweep.stopped(i, stop);
-    }
-
-    /// As [`Sweep::cap_ahead`].
-    #[inline(always)]
-    pub fn cap_ahead(&self) -> Option<f32> {
-        self.sweep.cap_ahead()
-    }
-
-    /// As [`Sweep::cap`].
-    #[inline(always)]
-    pub fn cap(&self, i: u32, cap: f32, see: impl FnMut(u32, &Seen)) -> u32 {
-        self.sweep.cap(i, cap, see)
-    }
-
-    /// As [`Sweep::look`]. Apart, as `alone` is: their stacks are not both needed.
-    #[inline(never)]
-    pub fn look(&mut self, i: u32) -> Option<u32> {
-        self.sweep.look(i)
-    }
-
-    /// What a column's ray sees of this solid, if it is the first of the nearest of these.
-    #[inline(never)]
-    pub fn alone(&mut self, column: u32, solids: &[Solid]) -> Option<Seen> {
-        let (mut nearest, mut seen_of_this) = (f32::INFINITY, None);
-        for solid in solids {
-            if let Some((t, seen)) = self.met(solid, column)
-                && t < nearest
-            {
-                nearest = t;
-                seen_of_this = ptr::eq(solid, self.solid).then_some(seen);
-            }
-        }
-        seen_of_this
-    }
-
-    /// How far along a column's ray it meets a solid, and what it sees of it, found by a walk along it: what a sweep
-    /// leaves in doubt is decided as what a glance leaves.
-    #[inline(never)]
-    fn met(&mut self, solid: &Solid, column: u32) -> Option<(f32, Seen)> {
-        let ray = solid.ray_into(&self.row.ray(column));
-        let hit = solid.lathe.nearest_by::<Newton>(&ray, 0.0)?;
-        if ptr::eq(solid, self.solid) {
-            self.sweep.found(&hit);
-        }
-        let gradient = solid.lathe.gradient_at(ray.point(hit.t), &hit);
-        // Very flat or very tall profiles have gradients whose squares are not numbers.
-        let side = if hit.enters { 1.0 } else { -1.0 };
-        Some((hit.t, Seen::new(gradient * (side / largest(gradient)))))
-    }
-}
-
-/// How a solid's surface looks along a row.
-pub(crate) struct Finish {
-    shininess: u8,
-    /// Towards the light, in the solid's own space: as long as a share of 1 has units.
-    pub towards: F32x3,
-    /// What is seen in the shade, in shades and half of one, and what the light adds where it falls straight.
-    ambient: Shades,
-    direct: Shades,
-}
-
-impl Finish {
-    /// The color of what a column's ray sees, in shades, in light from there.
-    // Not always in line: where flash counts, it stands once. Where speed does, the record of instructions tells if the
-    // compiler decides otherwise.
-    #[inline]
-    pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, towards: &F32x3, views: &Views) -> Shades {
-        let matt = self.matt(Share::new(seen.light(towards)));
-        if self.is_matt() {
-            return matt;
-        }
-        let full = const { Shades::of(C::SHADES) };
-        let share = self.gloss(seen.gradient * seen.per_length, towards, views, column);
-        matt.with_up_to(full.dimmed(share), const { Shades::of(C::SHADES).rounded() })
-    }
-
-    /// Whether there is no highlight.
-    #[inline(always)]
-    pub fn is_matt(&self) -> bool {
-        self.shininess == 0
-    }
-
-    /// The color without a highlight, in shades, where such a share of the light falls.
-    #[inline(always)]
-    pub fn matt(&self, share: Share) -> Shades {
-        self.ambient.with(self.direct.dimmed(share))
-    }
-
-    /// The share of white that a column's ray sees, given the normal and the light.
-    #[cold]
-    fn gloss(&self, normal: F32x3, towards: &F32x3, views: &Views, column: u32) -> Share {
-        let view = views.first + views.step * column as f32;
-        let nl = normal.dot(*towards);
-        // r·v, r the light's direction mirrored and v against the view.
-        let mirrored = towards.dot(view) - 2.0 * nl * normal.dot(view);
-        let mirrored = mirrored * (rsqrt(view.dot(view)) * (1.0 / Share::UNITS));
-        Share::of_one(Light::highlight(self.shininess, nl, mirrored))
     }
 }

@@ -46,6 +46,10 @@ pub(crate) const fn scale(v: F32x3, by: f32) -> F32x3 {
     vector([v.x * by, v.y * by, v.z * by])
 }
 
+pub(crate) const fn sum(a: F32x3, b: F32x3) -> F32x3 {
+    vector([a.x + b.x, a.y + b.y, a.z + b.z])
+}
+
 pub(crate) const fn difference(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.x - b.x, a.y - b.y, a.z - b.z])
 }

@@ -11,8 +11,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use embedded_lathe::{
-    Background, Camera, Lathe, Light, Paint, Pose, Profile, Rgb, Rotation, Scene, SceneError, Segment, Solid,
-    valid,
+    Background, Camera, Lathe, Light, Paint, Picture, Pose, Profile, Rgb, Rotation, Scene, SceneError,
+    Segment, Solid, valid,
 };
 
 fn drawn<C: PixelColor + Paint + From<BinaryColor>>(
@@ -220,6 +220,93 @@ fn a_display_of_no_size_is_drawn_in_no_time() {
     let mut row = [Rgb565::WHITE; 12];
     scenes::VASE_SCENE.picture(8, 8).row(0, &mut row);
     assert_eq!(row[8..], [Rgb565::WHITE; 4]);
+}
+
+/// A picture without columns or without rows has no pixels, and the largest ones are computed where they are asked for: nothing
+/// is NaN, nothing overflows.
+#[test]
+fn pictures_of_any_size_have_a_defined_answer() {
+    let dusk = Background::Gradient { top: Rgb::BLACK, bottom: Rgb::WHITE };
+    let scene = scenes::VASE_SCENE.with_background(dusk);
+    for (width, height) in [(5, 0), (0, 5), (0, 0)] {
+        let mut row = [Rgb::new(0.3, 0.2, 0.1); 5];
+        scene.picture(width, height).row(0, &mut row);
+        assert_eq!(row, [Rgb::new(0.3, 0.2, 0.1); 5], "{width}×{height}");
+    }
+    let sizes = [1, 2, 5, 1 << 16, 1 << 24, u32::MAX - 1, u32::MAX];
+    for (width, height) in sizes.into_iter().flat_map(|width| sizes.map(|height| (width, height))) {
+        let picture = scene.picture(width, height);
+        for (x, y) in [0, 1, 2].into_iter().flat_map(|i| [(i, i), (width / 2, height / 2)]) {
+            for (x, y) in
+                [(x, y), (width - 1 - x.min(width - 1), height - 1 - y.min(height - 1)), (x, u32::MAX)]
+            {
+                let mut part = [Rgb::new(-1.0, f32::NAN, -1.0); 7];
+                picture.part_of_row(x, y, &mut part);
+                let within = (width.saturating_sub(x) as usize).min(7);
+                let is_color =
+                    |color: &Rgb| [color.r, color.g, color.b].iter().all(|c| (0.0..=1.0).contains(c));
+                assert!(
+                    part[..within].iter().all(is_color),
+                    "{width}×{height}, column {x}, row {y}: {part:?}"
+                );
+                assert!(
+                    part[within..].iter().all(|color| color.g.is_nan()),
+                    "{width}×{height}, column {x}, row {y}"
+                );
+            }
+        }
+    }
+}
+
+/// A picture lives on its own, its scene a temporary, and may be made at compile time.
+#[test]
+fn a_picture_owns_its_scene() {
+    static PICTURE: Picture = scenes::STILL_LIFE.picture(24, 24);
+    let solids = scenes::STILL_LIFE.solids.to_vec();
+    let own = Scene::new(&solids, scenes::STILL_LIFE.camera, scenes::STILL_LIFE.light)
+        .with_background(scenes::STILL_LIFE.background)
+        .picture(24, 24);
+    assert_eq!(own, PICTURE);
+    let (mut one, mut other) = ([Rgb888::BLACK; 24], [Rgb888::WHITE; 24]);
+    for y in 0..24 {
+        own.row(y, &mut one);
+        PICTURE.row(y, &mut other);
+        assert_eq!(one, other, "row {y}");
+    }
+}
+
+/// Forty balls in two crossing rows, more than a picture keeps the order of, in any order: the picture is the same, and that of
+/// single rays.
+#[test]
+fn many_solids_hide_one_another_as_they_should() {
+    let ball = |i: u32| {
+        let along = 0.11 * (i / 2) as f32 - 1.05;
+        let place = if i.is_multiple_of(2) { [along, along, 0.0] } else { [along, -along, 0.02] };
+        let color =
+            Rgb::from_u8(40 + 5 * i as u8, 255 - 5 * i as u8, if i.is_multiple_of(3) { 200 } else { 60 });
+        Solid::new(&scenes::BALL, color).posed(Pose::new(place, Rotation::IDENTITY, 0.6).unwrap())
+    };
+    let camera = Camera::perspective([0.2, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.35).unwrap();
+    let light = Light::new([0.0, -1.0, 0.5], 1.0).unwrap();
+    let orders: [fn(u32) -> u32; 4] = [|i| i, |i| 39 - i, |i| 7 * i % 40, |i| 23 * i % 40];
+    let pictures = orders.map(|order| {
+        let solids: Vec<_> = (0..40).map(|i| ball(order(i))).collect();
+        rows(&Scene::new(&solids, camera, light), 90, 60, &[90], Rgb888::BLACK)
+    });
+    let solids: Vec<_> = (0..40).map(ball).collect();
+    let mut covered = 0;
+    for (i, color) in (0..90 * 60).zip(&pictures[0]) {
+        let (x, y) = (i % 90, i / 90);
+        let ray = camera.ray(x, y, 90, 60);
+        let hits = solids.iter().filter_map(|solid| Some((solid.nearest(&ray, 0.0)?.t, solid.color())));
+        let nearest = hits.min_by(|(a, _), (b, _)| a.total_cmp(b)).map_or(Rgb::BLACK, |(_, color)| color);
+        assert_eq!(*color, Rgb888::paint(nearest, x, y), "column {x}, row {y}");
+        covered += usize::from(nearest != Rgb::BLACK);
+    }
+    assert!(covered > 500, "{covered}");
+    for picture in &pictures {
+        assert!(*picture == pictures[0]);
+    }
 }
 
 /// A display's own error comes through.

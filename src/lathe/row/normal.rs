@@ -19,12 +19,6 @@ impl Seen {
     pub fn new(gradient: F32x3) -> Self {
         Self { gradient, per_length: rsqrt(gradient.dot(gradient)) }
     }
-
-    /// How straight light from there falls: the cosine, times how long `towards` is.
-    #[inline(always)]
-    pub fn light(&self, towards: &F32x3) -> f32 {
-        self.per_length * self.gradient.dot(*towards)
-    }
 }
 
 /// A segment's wall, as roots followed along it meet it.

@@ -143,11 +143,17 @@ impl Camera {
     /// Its t counts in units of the world's along the view: in perspective it is the depth.
     #[must_use]
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
+        self.ray_through([x as f32, y as f32], width, height)
+    }
+
+    /// As [`Camera::ray`], for a pixel in the given column and row.
+    #[inline(always)]
+    pub(crate) fn ray_through(&self, [x, y]: [f32; 2], width: u32, height: u32) -> Ray {
         // Over infinity, all distances from the picture's middle are zero.
         let half_pixels = if width == 0 { f32::INFINITY } else { width as f32 };
         // Centres, in half-pixels from the picture's centre: whole numbers.
         let [across, down] =
-            [(x, width), (y, height)].map(|(i, of)| (2.0 * i as f32 + 1.0 - of as f32) / half_pixels);
+            [(x, width), (y, height)].map(|(i, of)| (2.0 * i + 1.0 - of as f32) / half_pixels);
         let offset = self.right * across - self.up * down;
         match self.projection {
             Projection::Perspective => Ray::new_unchecked(self.eye, self.forward + offset),

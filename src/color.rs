@@ -29,16 +29,19 @@ impl Rgb {
     pub const WHITE: Self = Self::new(1.0, 1.0, 1.0);
 
     /// From shares, 0 to 1. What lies outside is cut off where it is painted, and NaN is painted black.
+    #[must_use]
     pub const fn new(r: f32, g: f32, b: f32) -> Self {
         Self { r, g, b }
     }
 
     /// From bytes, 0 to 255.
+    #[must_use]
     pub const fn from_u8(r: u8, g: u8, b: u8) -> Self {
         Self::new(r as f32 / 255.0, g as f32 / 255.0, b as f32 / 255.0)
     }
 
     /// A gray.
+    #[must_use]
     pub const fn gray(share: f32) -> Self {
         Self::new(share, share, share)
     }
@@ -61,10 +64,8 @@ impl Rgb {
     }
 }
 
-/// A color in a display's shades, in units of 2⁻²³ and less than 256: light is cast on it by three integer
-/// multiplications.
-///
-/// For [`Paint::shade`] each comes with half a shade more, and so never with less: to take the whole part is to round.
+/// A color in the shades of a display, as [`Paint::shade`] gets it: red, green and blue in fixed point, in units of 2⁻²³ of
+/// one shade, so that light is cast on it by three integer multiplications.
 ///
 /// ```
 /// use embedded_lathe::{Paint, Rgb, Shades};
@@ -76,7 +77,8 @@ impl Rgb {
 /// impl Paint for Red {
 ///     const SHADES: Rgb = Rgb::new(255.0, 0.0, 0.0);
 ///     fn shade(shades: Shades, _x: u32, _y: u32) -> Self {
-///         Self((shades.r / Shades::ONE) as u8)
+///         let [red, _, _] = shades.nearest();
+///         Self(red)
 ///     }
 /// }
 ///
@@ -85,17 +87,31 @@ impl Rgb {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shades {
-    /// Red.
-    pub r: u32,
-    /// Green.
-    pub g: u32,
-    /// Blue.
-    pub b: u32,
+    // What `Paint::shade` gets carries half a shade more in each channel, a rounding bias: its whole part is the nearest
+    // shade. All channels stay below 256 shades with it, so that no sum overflows.
+    pub(crate) r: u32,
+    pub(crate) g: u32,
+    pub(crate) b: u32,
 }
 
 impl Shades {
-    /// One shade.
+    /// One shade, in the units of [`Shades::units`].
     pub const ONE: u32 = 1 << 23;
+
+    /// The nearest whole shade of red, green and blue.
+    #[must_use]
+    #[inline]
+    pub const fn nearest(self) -> [u8; 3] {
+        [nearest(self.r), nearest(self.g), nearest(self.b)]
+    }
+
+    /// Red, green and blue in units of which [`Shades::ONE`] make a shade: what a display of few shades dithers.
+    #[must_use]
+    #[inline]
+    pub const fn units(self) -> [u32; 3] {
+        const HALF: u32 = Shades::ONE / 2;
+        [self.r.saturating_sub(HALF), self.g.saturating_sub(HALF), self.b.saturating_sub(HALF)]
+    }
 
     /// As many as given, each less than 256.
     pub(crate) const fn of(shades: Rgb) -> Self {
@@ -179,15 +195,34 @@ impl Share {
 /// assert_eq!(on.count(), 13);
 /// ```
 pub trait Paint: Copy {
-    /// How many shades above black red, green and blue have, no more than 255: what a share of 1 is in shades.
+    /// How many shades above black red, green and blue have: what a share of 1 is in shades. Each is from 0 to 255; a color
+    /// that is painted with more, or with fewer than none, does not compile.
+    ///
+    /// ```compile_fail
+    /// use embedded_lathe::{Paint, Rgb, Shades};
+    ///
+    /// #[derive(Clone, Copy)]
+    /// struct TooFine;
+    ///
+    /// impl Paint for TooFine {
+    ///     const SHADES: Rgb = Rgb::gray(1023.0);
+    ///     fn shade(_: Shades, _: u32, _: u32) -> Self {
+    ///         Self
+    ///     }
+    /// }
+    ///
+    /// TooFine::paint(Rgb::WHITE, 0, 0);
+    /// // error: evaluation panicked: `Paint::SHADES` must be from 0 to 255
+    /// ```
     const SHADES: Rgb;
 
-    /// What stands in column x, row y, for a color in shades, each from 0 to that of `SHADES`, and half a shade more.
+    /// The color to put in column x, row y, for a color in shades, each from 0 to that of `SHADES`.
     fn shade(shades: Shades, x: u32, y: u32) -> Self;
 
-    /// What stands for the color in column x, row y.
+    /// The color to put in column x, row y, for a color of the renderer.
+    #[must_use]
     fn paint(color: Rgb, x: u32, y: u32) -> Self {
-        Self::shade(color.shades(Self::SHADES).rounded(), x, y)
+        Self::shade(color.shades(most_shades::<Self>()).rounded(), x, y)
     }
 }
 
@@ -196,10 +231,28 @@ impl Paint for Rgb {
 
     #[inline(always)]
     fn shade(shades: Shades, _: u32, _: u32) -> Self {
-        let share =
-            |shade: u32| shade.saturating_sub(Shades::ONE / 2) as f32 * (1.0 / (128.0 * Shades::ONE as f32));
-        Rgb::new(share(shades.r), share(shades.g), share(shades.b))
+        let share = |units: u32| units as f32 * (1.0 / (128.0 * Shades::ONE as f32));
+        let [r, g, b] = shades.units().map(share);
+        Rgb::new(r, g, b)
     }
+}
+
+/// [`Paint::SHADES`], checked at compile time.
+pub(crate) const fn most_shades<C: Paint>() -> Rgb {
+    const {
+        let Rgb { r, g, b } = C::SHADES;
+        assert!(
+            0.0 <= r && r <= 255.0 && 0.0 <= g && g <= 255.0 && 0.0 <= b && b <= 255.0,
+            "`Paint::SHADES` must be from 0 to 255"
+        );
+    }
+    C::SHADES
+}
+
+/// The whole part of a channel in shades: the nearest shade of one that carries half a shade more.
+#[inline]
+pub(crate) const fn nearest(biased: u32) -> u8 {
+    (biased / Shades::ONE) as u8
 }
 
 /// What is seen where no solid is.
@@ -210,6 +263,7 @@ impl Paint for Rgb {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Background {
     /// One color.
     Plain(Rgb),

@@ -25,6 +25,7 @@ pub struct Cubic {
 
 impl Cubic {
     /// From `[c0, c1, c2, c3]`, constant term first.
+    #[must_use]
     pub const fn new(c: [f32; 4]) -> Self {
         Self { c }
     }
@@ -33,6 +34,7 @@ impl Cubic {
     ///
     /// Off by at most 36 units of 2⁻²⁴ of the largest ordinate (c2, three times the difference of two differences), and by
     /// half that where none is negative.
+    #[must_use]
     pub const fn from_bernstein(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
         let d1 = b1 - b0;
@@ -43,6 +45,7 @@ impl Cubic {
     /// The value at u, by Horner's rule: 3 multiplications, 3 additions, off by at most 6 units of 2⁻²⁴ of
     /// `Σ |cⱼ·uʲ|`.
     #[inline(always)]
+    #[must_use]
     pub const fn at(&self, u: f32) -> f32 {
         let [c0, c1, c2, c3] = self.c;
         ((c3 * u + c2) * u + c1) * u + c0
@@ -50,6 +53,7 @@ impl Cubic {
 
     /// The derivative at u.
     #[inline(always)]
+    #[must_use]
     pub const fn slope(&self, u: f32) -> f32 {
         let [_, c1, c2, c3] = self.c;
         (3.0 * c3 * u + (c2 + c2)) * u + c1
@@ -67,6 +71,7 @@ impl Cubic {
     }
 
     /// `Σ |cⱼ·uʲ|`: what the rounding of the value is measured against.
+    #[must_use]
     pub const fn size(&self, u: f32) -> f32 {
         let [c0, c1, c2, c3] = self.c;
         let u = u.abs();

@@ -2,10 +2,13 @@
 
 mod dither;
 mod paint;
+mod rgb888;
 
+use crate::camera::Camera;
 use crate::color::{Paint, Rgb};
 use crate::occlusion::PaintOrder;
 use crate::picture::{Picture, Pixels, RUN, Raster};
+use crate::ray::Ray;
 use crate::scene::Scene;
 use core::marker::PhantomData;
 use embedded_graphics_core::{
@@ -16,7 +19,31 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-impl Scene<'_> {
+impl Camera {
+    /// As [`Camera::ray`], through the centre of a pixel that may lie left of the picture or above it, too.
+    #[must_use]
+    pub fn ray_at(&self, pixel: Point, picture: Size) -> Ray {
+        self.ray_through([pixel.x as f32, pixel.y as f32], picture.width, picture.height)
+    }
+}
+
+impl<'a> Scene<'a> {
+    /// As [`Scene::picture`].
+    ///
+    /// ```
+    /// use embedded_graphics::prelude::*;
+    /// use embedded_lathe::*;
+    ///
+    /// fn is_portrait(scene: &Scene, display: &impl Dimensions) -> bool {
+    ///     let picture = scene.picture_of(display.bounding_box().size);
+    ///     picture.height() > picture.width()
+    /// }
+    /// ```
+    #[must_use]
+    pub const fn picture_of(&self, size: Size) -> Picture<'a> {
+        self.picture(size.width, size.height)
+    }
+
     /// Draws the scene over the whole display, in one [`fill_contiguous`](DrawTarget::fill_contiguous) over
     /// pixels that are reckoned as the display takes them, a few at a time. No framebuffer is needed.
     ///
@@ -103,6 +130,7 @@ impl<'a> Picture<'a> {
     /// Image::new(&ball, Point::new(20, 10)).draw(&mut display)?;
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
+    #[must_use]
     pub const fn image<C: Paint + PixelColor>(self) -> PictureImage<'a, C> {
         PictureImage { picture: self, color: PhantomData }
     }

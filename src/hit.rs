@@ -16,6 +16,7 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct Hit {
     /// The distance along the ray, in units of its direction.
     pub t: f32,
@@ -39,8 +40,9 @@ pub struct Hit {
 /// assert_eq!(drum.nearest(&down, 0.0).unwrap().part, Part::Top);
 /// # Ok::<(), embedded_lathe::RayError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Part {
     /// What the profile sweeps.
     Wall,

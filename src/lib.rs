@@ -91,7 +91,6 @@
 
 #![no_std]
 #![deny(unsafe_code)]
-#![warn(missing_docs)]
 
 pub mod math;
 pub mod solve;

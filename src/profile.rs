@@ -31,8 +31,9 @@ pub(crate) struct Span {
 /// let tube = Profile::cylinder(1.0, 2.0)?.base(End::Open).top(End::Open);
 /// # Ok::<(), embedded_lathe::ProfileError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum End {
     /// The wall stops there: one can see in, and what one sees is the inside of the wall.
     Open,
@@ -180,16 +181,19 @@ impl<const N: usize> Profile<N> {
     }
 
     /// What the lower end does.
+    #[must_use]
     pub const fn base(self, base: End) -> Self {
         Self { base, ..self }
     }
 
     /// What the upper end does.
+    #[must_use]
     pub const fn top(self, top: End) -> Self {
         Self { top, ..self }
     }
 
     /// A flat cap at both ends.
+    #[must_use]
     pub const fn closed(self) -> Self {
         self.base(End::Capped).top(End::Capped)
     }

@@ -1,6 +1,6 @@
 //! What color a visible point of a solid has: Lambert's diffuse share of its color, and half of Phong's highlight.
 
-use crate::color::{Paint, Shades, Share};
+use crate::color::{Paint, Shades, Share, most_shades};
 use crate::lathe::Seen;
 use crate::light::Light;
 use crate::math::rsqrt;
@@ -24,7 +24,7 @@ impl Finish {
     /// The material of a solid in a light, for a display of colors C.
     #[inline(always)]
     pub fn new<C: Paint>(solid: &Solid, light: &Light) -> Self {
-        let color = solid.color().shades(C::SHADES);
+        let color = solid.color().shades(most_shades::<C>());
         let ambient = color.dimmed(Share::of_one(light.ambient));
         Self {
             shininess: solid.shininess(),
@@ -46,9 +46,9 @@ impl Finish {
         if self.shininess == 0 {
             return diffuse;
         }
-        let white = const { Shades::of(C::SHADES) };
+        let white = const { Shades::of(most_shades::<C>()) };
         let share = self.specular(seen.gradient * seen.per_length, to_light, views, column);
-        diffuse.with_up_to(white.dimmed(share), const { Shades::of(C::SHADES).rounded() })
+        diffuse.with_up_to(white.dimmed(share), const { Shades::of(most_shades::<C>()).rounded() })
     }
 
     /// The share of white that the highlight adds, given the unit normal, the light's direction, and the column whose ray

@@ -28,6 +28,7 @@ pub struct Solid<'a> {
 
 impl<'a> Solid<'a> {
     /// A matt solid in its own space.
+    #[must_use]
     pub const fn new(lathe: &'a Lathe, color: Rgb) -> Self {
         Self { lathe, pose: Pose::IDENTITY, color, shininess: 0 }
     }
@@ -75,16 +76,19 @@ impl<'a> Solid<'a> {
     }
 
     /// The nearest crossing of a ray of the world beyond `t_min`, as [`Lathe::nearest`].
+    #[must_use]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         self.lathe.nearest(&self.ray_into(ray), t_min)
     }
 
     /// Whether a ray of the world crosses the solid beyond `t_min`, as [`Lathe::is_hit`].
+    #[must_use]
     pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
         self.lathe.is_hit(&self.ray_into(ray), t_min)
     }
 
     /// The point and the normal of a hit, in the world, as [`Lathe::surface`].
+    #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let normal = self.lathe.normal(&self.ray_into(ray), hit);
         Surface { point: ray.at(hit.t), normal: array(self.pose.rotation.turn(normal)) }

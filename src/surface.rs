@@ -21,6 +21,7 @@ use crate::vector::{F32x3, Vector, array, difference, dot, largest, one_norm, ve
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct Surface {
     /// The point, in the ray's space.
     pub point: [f32; 3],
@@ -32,6 +33,7 @@ pub struct Surface {
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// The point and the normal of a hit of this lathe by that ray. Cost: one root, one division, about 50
     /// other operations.
+    #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         Surface { point: ray.at(hit.t), normal: array(self.normal(ray, hit)) }
     }

@@ -6,7 +6,9 @@ mod scenes;
 
 use embedded_graphics::image::{Image, ImageDrawable, ImageDrawableExt};
 use embedded_graphics::mock_display::MockDisplay;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888,
+};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
@@ -517,7 +519,8 @@ fn parts_of_a_scene_can_be_asked_for() {
     assert_eq!((plain.pose(), plain.color(), plain.shininess()), (Pose::IDENTITY, Rgb::WHITE, 0));
     let solid = plain.posed(pose).colored(scenes::CLAY).shiny(9);
     assert_eq!((solid.pose(), solid.color(), solid.shininess()), (pose, scenes::CLAY, 9));
-    assert!(core::ptr::eq(solid.lathe(), &scenes::BALL as &Lathe));
+    let ball: &Lathe = &scenes::BALL;
+    assert!(core::ptr::eq(solid.lathe(), ball));
     assert!(solid != plain && solid.posed(Pose::IDENTITY).colored(Rgb::WHITE).shiny(0) == plain);
 
     let light = Light::new([0.0, -4.0, 3.0], 0.25).unwrap();
@@ -541,6 +544,50 @@ fn parts_of_a_scene_can_be_asked_for() {
     assert!(other != scene && other.with_light(light) == scene);
     other.light = light;
     assert_eq!(other, scene);
+}
+
+/// A display's color is a solid's, by `From` and in a `const`, and is painted as itself again.
+#[test]
+fn colors_of_displays_are_those_of_solids() {
+    fn back_and_forth<C: Paint + Into<Rgb> + PartialEq + core::fmt::Debug>(all: impl Iterator<Item = C>) {
+        for color in all {
+            assert_eq!(C::paint(color.into(), 0, 0), color);
+        }
+    }
+    let bytes = || (0..=255).flat_map(|i: u8| [[i, 255 - i, i / 2], [i ^ 0x55, i, 255 - i]]);
+    back_and_forth(bytes().map(|[r, g, b]| Rgb888::new(r, g, b)));
+    back_and_forth(bytes().map(|[r, g, b]| Bgr888::new(r, g, b)));
+    back_and_forth(bytes().map(|[r, g, b]| Rgb666::new(r, g, b)));
+    back_and_forth(bytes().map(|[r, g, b]| Rgb565::new(r, g, b)));
+    back_and_forth(bytes().map(|[r, g, b]| Bgr555::new(r, g, b)));
+    back_and_forth((0..=255).map(Gray8::new));
+    back_and_forth((0..16).map(Gray4::new));
+    back_and_forth((0..4).map(Gray2::new));
+    back_and_forth([BinaryColor::Off, BinaryColor::On].into_iter());
+    for [r, g, b] in bytes() {
+        let color = Rgb::from_rgb888(Rgb888::new(r, g, b));
+        assert_eq!((color, color), (Rgb::from_u8(r, g, b), Rgb888::new(r, g, b).into()));
+    }
+    assert_eq!(Rgb::from(Rgb565::new(31, 21, 0)), Rgb::new(1.0, 1.0 / 3.0, 0.0));
+}
+
+/// By `Point` and `Size`, the same pictures and rays as by numbers; and rays beside the picture.
+#[test]
+fn points_and_sizes_are_those_of_embedded_graphics() {
+    let scene = &scenes::VASE_SCENE;
+    assert_eq!(scene.picture_of(Size::new(31, 17)), scene.picture(31, 17));
+    let camera = scene.camera;
+    assert_eq!(camera.ray_at(Point::new(3, 9), Size::new(31, 17)), camera.ray(3, 9, 31, 17));
+    // One column to the left of the first is as far from it as the second.
+    let [left, first, second] =
+        [-1, 0, 1].map(|x| camera.ray_at(Point::new(x, 4), Size::new(32, 32)).direction());
+    for i in 0..3 {
+        assert!(
+            ((first[i] - left[i]) - (second[i] - first[i])).abs() < 1e-6,
+            "{left:?} {first:?} {second:?}"
+        );
+    }
+    assert!(first != left);
 }
 
 /// A picture that is no pixel wide has no pixels; the ray through any of them is that through its middle.

@@ -12,9 +12,9 @@ use embedded_lathe::{Hit, Lathe, Ray};
 /// What making the rays takes is taken off.
 pub fn measured() {
     let alone = rays("rays alone", 0, |_| None);
-    for (name, lathe) in
-        [("ray at the vase", &scenes::VASE as &Lathe), ("ray at 64 segments", &scenes::fine::VASE)]
-    {
+    let lathes: [(_, &Lathe); 2] =
+        [("ray at the vase", &scenes::VASE), ("ray at 64 segments", &scenes::fine::VASE)];
+    for (name, lathe) in lathes {
         rays(name, alone, |ray| black_box(lathe).nearest(ray, 0.0));
     }
 }

@@ -188,7 +188,7 @@ fn normals_point_out_of_the_solid() {
     let mut caps = 0;
     every_shot(|shot| {
         for hit in shot.lathe.hits::<CAPACITY>(&shot.ray, shot.case.cast.t_min) {
-            let Surface { point, normal } = shot.lathe.surface(&shot.ray, &hit);
+            let Surface { point, normal, .. } = shot.lathe.surface(&shot.ray, &hit);
             let (point, normal) = (point.map(f64::from), normal.map(f64::from));
             let length = normal.iter().map(|c| c * c).sum::<f64>();
             assert!((length - 1.0).abs() < 8.0 * (-24_f64).exp2(), "{normal:?} {}", shot.case);
@@ -199,6 +199,7 @@ fn normals_point_out_of_the_solid() {
                     worst = worst.max(normal_error(shot, &hit, point, normal));
                     continue;
                 }
+                part => panic!("{part:?} is new"),
             };
             assert_eq!(normal, [0.0, 0.0, down]);
             caps += 1;

@@ -10,16 +10,10 @@ pub(super) const fn threshold(x: u32, y: u32) -> u32 {
     (mixed & 1) << 5 | (y & 1) << 4 | (mixed & 2) << 2 | (y & 2) << 1 | (mixed & 4) >> 1 | (y & 4) >> 2
 }
 
-/// A whole shade for a broken one, such that its mean over 8×8 pixels is that, within 1/128; given three halves of a shade
-/// more.
+/// A whole shade for a broken one, such that its mean over 8×8 pixels is that one, within 1/128; given the sum of three
+/// channels in shades, each of which carries half a shade more.
 #[inline]
-pub(super) const fn dithered(shade: u32, x: u32, y: u32) -> u8 {
+pub(super) const fn dithered(biased_sum: u32, x: u32, y: u32) -> u8 {
     let threshold = (2 * threshold(x, y) + 1) * (Shades::ONE / 128);
-    ((shade + threshold).saturating_sub(Shades::ONE / 2 * 3) / Shades::ONE) as u8
-}
-
-/// The nearest whole shade, given half a shade more.
-#[inline]
-pub(super) const fn nearest(shade: u32) -> u8 {
-    (shade / Shades::ONE) as u8
+    ((biased_sum + threshold).saturating_sub(Shades::ONE / 2 * 3) / Shades::ONE) as u8
 }

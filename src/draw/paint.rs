@@ -1,11 +1,11 @@
 //! A display's colors. Those with 5 bits a channel or more take the nearest shade, those with fewer are
 //! dithered.
 
-use super::dither::{dithered, nearest};
-use crate::color::{Paint, Rgb, Shades};
+use super::dither::dithered;
+use crate::color::{Paint, Rgb, Shades, nearest};
 use embedded_graphics_core::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
-    RgbColor,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666,
+    Rgb888, RgbColor,
 };
 
 macro_rules! channels {
@@ -15,7 +15,16 @@ macro_rules! channels {
 
             #[inline]
             fn shade(shades: Shades, _: u32, _: u32) -> Self {
-                Self::new(nearest(shades.r), nearest(shades.g), nearest(shades.b))
+                let [r, g, b] = shades.nearest();
+                Self::new(r, g, b)
+            }
+        }
+
+        impl From<$color> for Rgb {
+            fn from(color: $color) -> Self {
+                let [r, g, b] = [color.r(), color.g(), color.b()].map(f32::from);
+                let most = <$color>::SHADES;
+                Self::new(r / most.r, g / most.g, b / most.b)
             }
         }
     )*};
@@ -29,7 +38,26 @@ const fn luma(most: f32) -> Rgb {
     Rgb::new(0.299 * most, 0.587 * most, 0.114 * most)
 }
 
-/// The shade that three channels' come to, and three halves of one more.
+macro_rules! grays {
+    ($($color:ty: $most:literal),*) => {$(
+        impl From<$color> for Rgb {
+            fn from(color: $color) -> Self {
+                Self::gray(f32::from(color.luma()) / $most)
+            }
+        }
+    )*};
+}
+
+grays!(Gray8: 255.0, Gray4: 15.0, Gray2: 3.0);
+
+impl From<BinaryColor> for Rgb {
+    fn from(color: BinaryColor) -> Self {
+        if color.is_on() { Self::WHITE } else { Self::BLACK }
+    }
+}
+
+/// The brightness in shades that the weighted channels add up to, and, as each of them carries half a shade more, three
+/// halves of a shade more.
 #[inline]
 fn sum(shades: Shades) -> u32 {
     shades.r + shades.g + shades.b

@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::solid_row::SolidRow;
 use crate::camera::{Camera, Row};
-use crate::color::{Background, Paint};
+use crate::color::{Background, Paint, most_shades};
 use crate::light::Light;
 use crate::occlusion::{FIRST, PaintOrder, Painted};
 use crate::shade::Finish;
@@ -45,7 +45,7 @@ impl Raster<'_> {
     /// Fills `part`, which begins in column x of row y, with the background.
     #[inline(never)]
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
-        let shades = self.background.row(y, self.height).shades(C::SHADES).rounded();
+        let shades = self.background.row(y, self.height).shades(most_shades::<C>()).rounded();
         for (pixel, x) in part.iter_mut().zip(x..) {
             *pixel = C::shade(shades, x, y);
         }

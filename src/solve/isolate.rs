@@ -24,6 +24,7 @@ use crate::math::minmax::{greater, lesser};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct Piece {
     /// Where the interval begins.
     pub lo: f32,
@@ -41,7 +42,7 @@ pub struct Piece {
 }
 
 /// How a cubic falls to zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Fall {
     /// It has no turning points.
@@ -55,6 +56,7 @@ pub enum Fall {
 impl Piece {
     /// Where the cubic is greatest, if it has turning points. Infinite or not a number if there is none.
     #[inline(always)]
+    #[must_use]
     pub fn maximum(&self, g: &Cubic) -> f32 {
         turning(g, self.bend, g.c[2] < 0.0)
     }

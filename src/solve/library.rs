@@ -25,6 +25,7 @@ impl Cubic {
     ///
     /// `None` where there is none, where a coefficient is not finite, and where not lo ≤ hi. Infinite ends
     /// stand for the largest numbers. The zero polynomial vanishes first at lo.
+    #[must_use]
     pub fn first_root(&self, lo: f32, hi: f32) -> Option<f32> {
         self.first_root_by::<DefaultSolver>(lo, hi)
     }
@@ -38,11 +39,13 @@ impl Cubic {
     /// let everywhere = Cubic::new([0.0, -1.0, 0.0, 1.0]).roots(f32::NEG_INFINITY, f32::INFINITY);
     /// assert_eq!(everywhere, [-1.0, 0.0, 1.0]);
     /// ```
+    #[must_use]
     pub fn roots(&self, lo: f32, hi: f32) -> Vec<f32, 3> {
         self.roots_by::<DefaultSolver>(lo, hi)
     }
 
     /// [`Cubic::first_root`] by the method S.
+    #[must_use]
     pub fn first_root_by<S: Solver>(&self, lo: f32, hi: f32) -> Option<f32> {
         if !is_tame(self, lo, hi) {
             return rescaled::<S>(self, lo, hi, 1).first().copied();
@@ -52,6 +55,7 @@ impl Cubic {
     }
 
     /// [`Cubic::roots`] by the method S.
+    #[must_use]
     pub fn roots_by<S: Solver>(&self, lo: f32, hi: f32) -> Vec<f32, 3> {
         const MOST: usize = 3;
         if !is_tame(self, lo, hi) {

@@ -16,6 +16,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
     ///
     /// A segment is met at most three times and either cap once: the capacity C must be at least 3·N + 2,
     /// which is checked at compile time, and cannot overflow.
+    #[must_use]
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         match self.whole().glance(ray, t_min) {
             Glance::Misses => Vec::new(),
@@ -25,6 +26,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
     }
 
     /// [`Lathe::hits`] with the solver S.
+    #[must_use]
     pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         self.hits_on::<S, C>(ray, t_min, None)
     }
@@ -63,6 +65,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// in the plane of a cap meets its rim.
     // Apart: it takes all the registers there are, and what calls it needs its own.
     #[inline(never)]
+    #[must_use]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         match self.whole().glance(ray, t_min) {
             Glance::Misses => None,
@@ -81,6 +84,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// [`Lathe::nearest`] with the solver S, by a walk along the ray.
     // In line: of two frames one within the other this makes one, where the stack is deepest.
     #[inline(always)]
+    #[must_use]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         let path = LocalRay::new(&self.frame, ray);
         walk::<S, _>(self.view(), &path, t_min, ControlFlow::Break)
@@ -102,6 +106,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// assert!(!ball.is_hit(&to_light, 0.0)); // not in its own shadow
     /// # Ok::<(), embedded_lathe::RayError>(())
     /// ```
+    #[must_use]
     pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
         self.nearest(ray, t_min).is_some()
     }

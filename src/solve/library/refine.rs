@@ -21,6 +21,7 @@ const MOST_STEPS: u32 = 160;
 /// slope is mostly rounding: no step is longer than half the way to it, and every fourth of those is replaced
 /// by the bracket's middle, for from a bad seed they could go on for long.
 #[inline(never)]
+#[must_use]
 pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
     let [c0, _, c2, c3] = g.c;
     // What the crossing lies between, and nothing else, limits a step.

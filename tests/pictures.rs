@@ -330,6 +330,16 @@ fn an_error_of_the_display_passes_through() {
     assert_eq!(scenes::VASE_SCENE.draw(&mut Broken), Err("cable"));
 }
 
+/// The laboratory asks for the feature `std`; alone, the crate is built without, and all of this file holds as well: the
+/// pictures in the documents are the same.
+#[test]
+#[ignore = "for `cargo test -p embedded-lathe --test pictures -- --include-ignored`, without std"]
+fn all_of_this_is_without_std() {
+    if cfg!(feature = "std") {
+        panic!("the crate is built with its feature std");
+    }
+}
+
 /// The pictures in the documents are what is drawn now.
 #[test]
 fn the_pictures_in_the_documents_are_up_to_date() {

@@ -32,9 +32,6 @@ pub mod oracle;
 pub mod outlines;
 pub mod peers;
 pub mod readme;
-/// The reference scenes, which the examples draw.
-#[path = "../../examples/scenes/mod.rs"]
-pub mod scenes;
 pub mod sextic;
 pub mod tally;
 pub mod troubles;

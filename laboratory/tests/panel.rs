@@ -7,12 +7,15 @@
 
 #[path = "../../examples/oled/card.rs"]
 mod card;
+#[allow(dead_code)]
+#[path = "../../examples/scenes/mod.rs"]
+mod scenes;
 #[path = "../../examples/oled/show.rs"]
 mod show;
 
 use embedded_graphics::{pixelcolor::Gray4, prelude::*, primitives::Rectangle};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
-use laboratory::{firmware, scenes};
+use laboratory::firmware;
 use std::{
     convert::Infallible,
     env, fs,

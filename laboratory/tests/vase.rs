@@ -1,12 +1,16 @@
 //! Which pixels show the vase: by the oracle, and by every solver over every backend.
 
+#[allow(dead_code)]
+#[path = "../../examples/scenes/mod.rs"]
+mod scenes;
+
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::SimulatorDisplay;
 use embedded_lathe::solve::Solver;
 use embedded_lathe::{Background, Paint, Rgb, Scene};
 use laboratory::cases::outline;
-use laboratory::{oracle, over_every_backend, scenes};
+use laboratory::{oracle, over_every_backend};
 
 const BLACK: Background = Background::Plain(Rgb::BLACK);
 

@@ -40,7 +40,7 @@
 //! Each stage is a file, and names only files to its left. (`valid`, `message` and `scene_error` are everybody's.)
 //!
 //! ```text
-//! math → vector → cubic → solve → profile → ray → hit → lathe → surface → color → light → camera
+//! math → vector → cubic → bernstein → solve → profile → ray → hit → lathe → surface → color → light → camera
 //!      → pose → solid → shade → scene → occlusion → picture → draw
 //! ```
 //!
@@ -48,7 +48,7 @@
 //! |---|---|---|
 //! | [`Profile`] | numbers | an outline that is one, or a [`ProfileError`] that names the culprit |
 //! | [`Lathe`] | a profile | segments with bounds, in flash; [`Ray`] → [`Hit`], one by one or along a row |
-//! | [`Cubic`], [`solve`] | a cubic, an interval | the first root, or all of them |
+//! | [`Cubic`], [`Bernstein`], [`solve`] | a cubic, an interval | the first root, or all of them |
 //! | [`Surface`] | a hit | its point and normal, for what is seen |
 //! | [`Solid`], [`Pose`], [`Light`], [`Camera`], [`Background`] | | what a [`Scene`] is made of |
 //! | [`Picture`] | a scene, a size | rows of pixels, one at a time |
@@ -95,6 +95,7 @@
 pub mod math;
 pub mod solve;
 
+mod bernstein;
 mod camera;
 mod color;
 mod cubic;
@@ -116,6 +117,7 @@ mod surface;
 mod valid;
 mod vector;
 
+pub use bernstein::Bernstein;
 pub use camera::Camera;
 pub use color::{Background, Paint, Rgb, Shades};
 pub use cubic::Cubic;

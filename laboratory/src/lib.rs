@@ -19,6 +19,7 @@
 #![cfg(not(target_os = "none"))]
 
 mod backends;
+pub mod bernstein;
 pub mod cases;
 pub mod contenders;
 pub mod exact;
@@ -28,6 +29,7 @@ pub mod forms;
 pub mod hits;
 pub mod judge;
 pub mod lathes;
+pub mod lists;
 pub mod oracle;
 pub mod outlines;
 pub mod peers;

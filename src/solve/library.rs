@@ -1,5 +1,6 @@
 //! The public solver library.
 
+mod bernstein;
 mod cardano;
 mod inflection;
 mod refine;
@@ -16,6 +17,9 @@ use crate::cubic::Cubic;
 use crate::math::Native;
 use heapless::Vec;
 use rescale::{is_tame, rescaled};
+
+/// How many roots a cubic has at most.
+const MOST: usize = 3;
 
 /// What [`Cubic::first_root`] and [`Cubic::roots`] use.
 pub type DefaultSolver = Split<Native>;
@@ -57,7 +61,6 @@ impl Cubic {
     /// [`Cubic::roots`] by the method S.
     #[must_use]
     pub fn roots_by<S: Solver>(&self, lo: f32, hi: f32) -> Vec<f32, 3> {
-        const MOST: usize = 3;
         if !is_tame(self, lo, hi) {
             return rescaled::<S>(self, lo, hi, MOST);
         }

@@ -6,7 +6,9 @@
 //! cargo run --release --example laboratory -- soak 60            as much as fits into 60 minutes
 //! ```
 
+mod bernstein;
 mod cubics;
 mod found;
+mod lists;
 mod rays;
 mod touching;

@@ -1,0 +1,77 @@
+use super::rescale::rescaled;
+use super::{DefaultSolver, MOST};
+use crate::bernstein::Bernstein;
+use crate::cubic::Cubic;
+use crate::math::minmax::greater;
+use crate::solve::Solver;
+use heapless::Vec;
+
+impl Bernstein {
+    /// The relative change of each ordinate, in units of 2⁻²⁴, within which every answer is exact:
+    /// [`BACKWARD_ERROR`](crate::solve::BACKWARD_ERROR), and a rounding of 3·b1 and 3·b2.
+    pub const BACKWARD_ERROR: f32 = crate::solve::BACKWARD_ERROR + 1.0;
+
+    /// How far rounding moves a root, in units of 2⁻²⁴ relative: a sum and a quotient.
+    pub const ROUNDING: f32 = 2.0;
+
+    /// The smallest root in [0, 1], by [`DefaultSolver`]. `None` if there is none, or an ordinate is not finite.
+    /// The zero polynomial vanishes first at 0.
+    ///
+    /// Cost: some 700 instructions on a Cortex-M4F.
+    pub fn first_root(&self) -> Option<f32> {
+        self.first_root_by::<DefaultSolver>()
+    }
+
+    /// The roots in [0, 1] in ascending order, by [`DefaultSolver`]: at most three. A double root is found as two that
+    /// are equal or close, as one at an end of the interval, or not at all, as rounding decides.
+    ///
+    /// ```
+    /// use embedded_lathe::Bernstein;
+    ///
+    /// // (4·u − 1)·(2·u − 1)·(4·u − 3), by its values at 0 and 1 and its slopes there.
+    /// let roots = Bernstein::new([-3.0, 11.0 / 3.0, -11.0 / 3.0, 3.0]).roots();
+    /// assert_eq!(roots, [0.25, 0.5, 0.75]);
+    /// ```
+    pub fn roots(&self) -> Vec<f32, 3> {
+        self.roots_by::<DefaultSolver>()
+    }
+
+    /// [`Bernstein::first_root`] by the solver S.
+    pub fn first_root_by<S: Solver>(&self) -> Option<f32> {
+        self.search::<S>(1).first().copied()
+    }
+
+    /// [`Bernstein::roots`] by the solver S.
+    pub fn roots_by<S: Solver>(&self) -> Vec<f32, 3> {
+        self.search::<S>(MOST)
+    }
+
+    fn search<S: Solver>(&self, most: usize) -> Vec<f32, 3> {
+        let [_, _, _, b3] = self.b;
+        let mut roots = Vec::new();
+        if !self.b.iter().all(|b| b.is_finite()) {
+            return roots;
+        }
+        for w in rescaled::<S>(&self.over_ratio(), 0.0, f32::INFINITY, most) {
+            let _ = roots.push(from_ratio(w));
+        }
+        // w is infinite there.
+        if b3 == 0.0 && roots.len() < most {
+            let _ = roots.push(1.0);
+        }
+        roots
+    }
+
+    /// `b0 + 3·b1·w + 3·b2·w² + b3·w³`, or a quarter of it, lest 3·b is infinite.
+    fn over_ratio(&self) -> Cubic {
+        const LARGE: f32 = 0.25 * f32::MAX;
+        let largest = self.b.iter().fold(0.0, |largest, b| greater(largest, b.abs()));
+        let [b0, b1, b2, b3] = if largest > LARGE { self.b.map(|b| 0.25 * b) } else { self.b };
+        Cubic::new([b0, 3.0 * b1, 3.0 * b2, b3])
+    }
+}
+
+/// `u = w/(1 + w)`, within 2 units of 2⁻²⁴: of w/(1 + w) up to 1/2, and of 1 − 1/(1 + w) beyond.
+fn from_ratio(w: f32) -> f32 {
+    if w <= 1.0 { w / (1.0 + w) } else { 1.0 - 1.0 / (1.0 + w) }
+}

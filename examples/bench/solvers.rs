@@ -3,7 +3,7 @@
 use crate::{cubics::CUBICS, region::measure, report::line, textbook};
 use core::hint::black_box;
 use embedded_lathe::{
-    Cubic,
+    Bernstein, Cubic,
     math::{Libm, Micromath, Native},
     solve::{Cardano, Solver, Split},
 };
@@ -20,6 +20,7 @@ pub fn measured() {
     line("cardano native", first_root::<Cardano<Native>>);
     line("cardano libm", first_root::<Cardano<Libm>>);
     line("cardano micromath", first_root::<Cardano<Micromath>>);
+    line("ordinates native", |b| Bernstein::new(b).first_root());
     line("textbook libm", |c| textbook::first_root::<textbook::Libm>(c, 0.0, 1.0));
     line("textbook micromath", |c| textbook::first_root::<textbook::Micromath>(c, 0.0, 1.0));
 }

@@ -12,7 +12,7 @@ use rand::{RngExt, SeedableRng};
 
 const SEED: u64 = 7;
 /// Questions a family.
-const QUESTIONS: u64 = 300;
+const QUESTIONS: u64 = 100;
 
 /// Cubics with up to three roots that are nearly one, nearly at the ends of the interval.
 const TRIPLE: &str = "cubics about a root";
@@ -49,7 +49,7 @@ fn lists_are_sound<S: Solver>() {
         }
     }
     let mut rng = ChaCha8Rng::seed_from_u64(SEED);
-    for _ in 0..2000 {
+    for _ in 0..700 {
         let mut small = |low: f64| 10_f64.powf(rng.random_range(low..=0.0)) * rng.random_range(-1.0..1.0_f64);
         let [root, other, third, lead, near] = [0.0, -8.0, -8.0, -3.0, -7.0].map(&mut small);
         let [p, q, r] = [root, root + other, root + third];
@@ -65,7 +65,7 @@ fn lists_are_sound<S: Solver>() {
         }
     }
     assert!(4.0 * worst.0 >= f64::from(BACKWARD_ERROR), "{}", worst.0);
-    assert!(found.iter().all(|&count| count > 100), "{found:?}");
+    assert!(found.iter().all(|&count| count > 50), "{found:?}");
 }
 
 over_every_backend!(lists_are_sound);

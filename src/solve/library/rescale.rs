@@ -5,7 +5,7 @@ use crate::solve::Solver;
 use heapless::Vec;
 
 /// How far an interval may reach to be solved as it is.
-const TAME: f32 = (1_u64 << 30) as f32;
+pub(super) const TAME: f32 = (1_u64 << 30) as f32;
 
 /// From where on the unit is 2¹²⁰. (`wide`.)
 const FAR: f32 = TAME * TAME * TAME;
@@ -48,7 +48,7 @@ pub(super) fn rescaled<S: Solver>(g: &Cubic, lo: f32, hi: f32, most: usize) -> V
     for (from, to, unit) in PARTS {
         let (from, to) = (greater(from, lo), lesser(to, hi));
         if from < to || from == to && lo == hi && sign.is_none() {
-            let g = stretched(g, unit);
+            let g = if unit == 0 && is_tame(g, from, to) { *g } else { stretched(g, unit) };
             let [a, b] = [from, to].map(|u| u * power(-unit));
             sign = Some(collect::<S>(&g, [a, b], sign, power(unit), most, &mut roots));
         }

@@ -33,6 +33,7 @@ pub struct Bernstein {
 
 impl Bernstein {
     /// From `[b0, b1, b2, b3]`, the values at u = 0 and u = 1 first and last.
+    #[must_use]
     pub const fn new(b: [f32; 4]) -> Self {
         Self { b }
     }
@@ -42,6 +43,7 @@ impl Bernstein {
     ///
     /// The rounding of 1 − u moves a product of three factors by 3 units at most; three interpolations, each a product
     /// and a sum, by 6; one is left for terms of second order.
+    #[must_use]
     pub const fn at(&self, u: f32) -> f32 {
         let [b0, b1, b2, b3] = self.b;
         let v = 1.0 - u;

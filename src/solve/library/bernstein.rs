@@ -18,6 +18,7 @@ impl Bernstein {
     /// The zero polynomial vanishes first at 0.
     ///
     /// Cost: 263 instructions on a Cortex-M4F, the mean of `cargo run --example bench` (`ordinates native`).
+    #[must_use]
     pub fn first_root(&self) -> Option<f32> {
         self.first_root_by::<DefaultSolver>()
     }
@@ -33,11 +34,13 @@ impl Bernstein {
     /// let are_near = roots.iter().zip([0.25, 0.5, 0.75]).all(|(u, root)| (u - root).abs() < 1e-6);
     /// assert!(are_near && roots.len() == 3);
     /// ```
+    #[must_use]
     pub fn roots(&self) -> Vec<f32, 3> {
         self.roots_by::<DefaultSolver>()
     }
 
     /// [`Bernstein::first_root`] by the solver S.
+    #[must_use]
     pub fn first_root_by<S: Solver>(&self) -> Option<f32> {
         if self.has_one_sign() {
             return None;
@@ -48,6 +51,7 @@ impl Bernstein {
     }
 
     /// [`Bernstein::roots`] by the solver S.
+    #[must_use]
     pub fn roots_by<S: Solver>(&self) -> Vec<f32, 3> {
         self.search::<S>(MOST)
     }

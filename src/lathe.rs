@@ -23,7 +23,7 @@ mod ray;
 mod row;
 mod segment;
 
-pub(crate) use row::{RayRow, Seen, Stop, Sweep, Wall};
+pub(crate) use row::{RayRow, RowPart, Seen, Span, Sweep};
 pub use segment::Segment;
 
 use crate::hit::{Hit, Part};

@@ -55,8 +55,9 @@ impl<'a> Scene<'a> {
     #[must_use]
     #[inline]
     pub const fn picture(&self, width: u32, height: u32) -> Picture<'a> {
-        let Scene { solids, camera, light, background } = *self;
-        Picture { solids, camera, light, background, order: PaintOrder::of(solids, &camera), width, height }
+        let Self { solids, camera, light, background } = self;
+        let order = PaintOrder::of(solids, camera);
+        Picture { solids, camera: *camera, light: *light, background: *background, order, width, height }
     }
 }
 

@@ -18,15 +18,18 @@ use {
     embedded_graphics::{pixelcolor::Rgb565, prelude::*},
 };
 
+/// In flash, with the scene and the order of its solids.
+#[cfg(target_os = "none")]
+static PICTURE: embedded_lathe::Picture = scenes::VASE_SCENE.picture(240, 240);
+
 #[cfg(target_os = "none")]
 #[cortex_m_rt::entry]
 fn main() -> ! {
     static mut ROW: [Rgb565; 240] = [Rgb565::BLACK; 240];
     loop {
-        let scene = black_box(&scenes::VASE_SCENE);
         #[cfg(feature = "defmt")]
-        defmt::info!("{}", scene);
-        let picture = scene.picture(240, 240);
+        defmt::info!("{}", scenes::VASE_SCENE);
+        let picture = black_box(&PICTURE);
         for y in 0..240 {
             picture.row(y, black_box(&mut ROW[..]));
         }

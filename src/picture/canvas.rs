@@ -2,110 +2,109 @@
 
 use super::solid_row::SolidRow;
 use crate::color::Paint;
-use crate::lathe::{Seen, Stop};
+use crate::lathe::{Seen, Span};
 use crate::shade::{Finish, Views};
-use crate::solid::Solid;
-use crate::vector::F32x3;
+use crate::vector::{F32x3, Vector};
 
-/// Pixels that a solid is painted on, from column x of row y on.
+/// A part of a row of pixels, and what colors a solid on it.
 pub(super) struct Canvas<'a, C> {
-    pub finish: Finish,
-    /// If the left half sees the right one's mirror image: that of the light.
-    pub mirrored: Option<F32x3>,
-    pub x: u32,
-    pub y: u32,
-    pub run: &'a mut [C],
-    /// The solid, or, if another may be nearer, all of them.
-    pub candidates: &'a [Solid<'a>],
+    finish: Finish,
+    /// If the left half of the row sees the right half's mirror image: the mirror image of the direction to the light. What the
+    /// left half sees looks as what the right half sees does in that light.
+    mirrored: Option<F32x3>,
+    /// The column that `run` begins with, and the row.
+    x: u32,
+    y: u32,
+    run: &'a mut [C],
 }
 
-impl<C: Paint> Canvas<'_, C> {
-    /// From the middle on outwards.
+impl<'a, C: Paint> Canvas<'a, C> {
+    /// The pixels `run`, which begin in column x of row y, for a solid along them with the given material.
+    #[inline(always)]
+    pub fn new(finish: Finish, along: &SolidRow, (x, y): (u32, u32), run: &'a mut [C]) -> Self {
+        let to_light = finish.to_light;
+        let mirrored = along.sweep.mirror();
+        let mirrored = mirrored.map(|n| to_light - n * (2.0 * n.dot(to_light) / n.dot(n)));
+        Self { finish, mirrored, x, y, run }
+    }
+
+    /// Paints the half of the row that is to be swept, and its mirror image, from the middle outwards.
     #[inline(never)]
-    pub fn outwards(&mut self, along: &mut SolidRow) {
-        let (mut i, mut saw) = (0, false);
-        while i < along.end() {
-            if let Some(to) = along.followed(i) {
-                let (next, stop) = if to > i { self.follow(along, i, to) } else { (i, Stop::End) };
-                along.stopped(next, stop);
-                (i, saw) = (next, false);
-                continue;
-            }
-            if let Some(cap) = along.cap_ahead() {
-                let next = self.cap(along, i, cap);
-                if next > i {
-                    i = next;
-                    continue;
-                }
-            }
-            // Beside a ray gone alone that met it a look would be in vain.
-            if !saw && let Some(next) = along.look(i) {
-                i = next;
-                continue;
-            }
-            // The mirror image's own ray, too. This one goes last: where it meets the solid the next one's root is
-            // looked for.
-            let own = along.column(i);
-            let mut column = if self.mirrored.is_some() { along.opposite(i) } else { own };
-            loop {
-                let seen = along.alone(column, self.candidates);
-                saw = seen.is_some();
-                if let Some(seen) = seen {
-                    self.put(column, &seen, &along.views);
-                }
-                if column == own {
-                    break;
-                }
-                column = own;
-            }
-            i += 1;
+    pub fn half_row(&mut self, along: &mut SolidRow) {
+        let mut i = 0;
+        while i < along.sweep.len() {
+            i = match along.sweep.next(i) {
+                Span::Tracked { to } => self.tracked(along, i, to),
+                Span::Cap { to, up } => self.cap(along, i, to, up),
+                Span::Empty { to } => to,
+                Span::Single => self.single(along, i),
+            };
         }
     }
 
-    /// What the rays from i on see that come in through a cap. The first that does not is the one returned.
+    /// Paints the pixels from the i-th up to another that see the tracked root. Returns the first that does not, `to` at most.
+    ///
+    /// Not inline: it keeps registers on the stack, which are not needed while single rays are cast.
     #[inline(never)]
-    fn cap(&mut self, along: &SolidRow, i: u32, cap: f32) -> u32 {
-        along.cap(i, cap, |i, seen| {
-            if self.mirrored.is_some() {
-                self.put(along.opposite(i), seen, &along.views);
-            }
-            self.put(along.column(i), seen, &along.views);
-        })
-    }
-
-    /// What a column's ray sees.
-    #[inline(never)]
-    fn put(&mut self, column: u32, seen: &Seen, views: &Views) {
-        let at = (column - self.x) as usize;
-        if let Some(pixel) = self.run.get_mut(at) {
-            *pixel =
-                C::shade(self.finish.shades::<C>(column, seen, &self.finish.to_light, views), column, self.y);
-        }
-    }
-
-    /// What the rays from i up to `to` see that meet the root followed. Not in line: the registers that it keeps on the
-    /// stack are not needed where rays go alone.
-    #[inline(never)]
-    fn follow(&mut self, along: &mut SolidRow, i: u32, to: u32) -> (u32, Stop) {
-        let Self { x, y, ref finish, mirrored, ref mut run, .. } = *self;
-        let mut at = (along.column(i) - x) as usize;
-        let step = if along.is_turned() { usize::MAX } else { 1 };
-        // A pixel and its mirror image, which is nowhere if there is none.
+    fn tracked(&mut self, along: &mut SolidRow, i: u32, to: u32) -> u32 {
+        let Self { x, y, ref finish, mirrored, ref mut run } = *self;
+        let SolidRow { sweep, views, .. } = along;
+        let mut at = (sweep.column(i) - x) as usize;
+        let step = if sweep.is_reversed() { usize::MAX } else { 1 };
+        // A pixel's place and its mirror image's add up to this, or, without one, to what puts that outside of the run.
         let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
-        let opposite = mirrored.unwrap_or(finish.to_light);
-        let wall = along.wall();
-        along.follow(i, to, |place, views| {
-            let seen = &wall.seen(place);
+        let mirrored = mirrored.unwrap_or(finish.to_light);
+        sweep.track(i, to, |seen| {
             let column = x + at as u32;
             if let Some(pixel) = run.get_mut(at) {
                 *pixel = C::shade(finish.shades::<C>(column, seen, &finish.to_light, views), column, y);
             }
-            let at_opposite = both.wrapping_sub(at);
-            if let Some(pixel) = run.get_mut(at_opposite) {
+            let mirrored_at = both.wrapping_sub(at);
+            if let Some(pixel) = run.get_mut(mirrored_at) {
                 *pixel =
-                    C::shade(finish.shades::<C>(column, seen, &opposite, views), x + at_opposite as u32, y);
+                    C::shade(finish.shades::<C>(column, seen, &mirrored, views), x + mirrored_at as u32, y);
             }
             at = at.wrapping_add(step);
         })
+    }
+
+    /// Paints the pixels from the i-th up to `to`, and their mirror images, which all see the upper cap (`up` is 1) or the lower
+    /// one (−1). Returns `to`.
+    #[inline(never)]
+    fn cap(&mut self, along: &SolidRow, i: u32, to: u32, up: f32) -> u32 {
+        let seen = &Seen::cap(up);
+        for i in i..to {
+            if self.mirrored.is_some() {
+                self.put(along.sweep.mirrored_column(i), seen, &along.views);
+            }
+            self.put(along.sweep.column(i), seen, &along.views);
+        }
+        to
+    }
+
+    /// Casts the i-th pixel's ray and its mirror image's, and paints what they see. Returns the next pixel.
+    #[inline(always)]
+    fn single(&mut self, along: &mut SolidRow, i: u32) -> u32 {
+        let own = along.sweep.column(i);
+        let mut column = if self.mirrored.is_some() { along.sweep.mirrored_column(i) } else { own };
+        // The pixel's own ray last: where it meets the solid the sweep goes on.
+        loop {
+            if let Some(seen) = along.cast(i, column) {
+                self.put(column, &seen, &along.views);
+            }
+            if column == own {
+                return i + 1;
+            }
+            column = own;
+        }
+    }
+
+    /// Paints what a column's ray sees.
+    #[inline(never)]
+    fn put(&mut self, column: u32, seen: &Seen, views: &Views) {
+        let Self { x, y, ref finish, ref mut run, .. } = *self;
+        if let Some(pixel) = run.get_mut((column - x) as usize) {
+            *pixel = C::shade(finish.shades::<C>(column, seen, &finish.to_light, views), column, y);
+        }
     }
 }

@@ -54,20 +54,15 @@ impl Raster<'_> {
     /// Paints a solid over what `run`, which begins in column x, holds already: the farther solids.
     #[inline(never)]
     fn solid<C: Paint>(&self, painted: &Painted, row: &Row, x: u32, run: &mut [C]) {
-        let Painted { solid, candidates } = *painted;
-        let mut along = SolidRow::new(solid, row, x, x + run.len() as u32);
-        if along.is_culled() {
+        let mut along = SolidRow::new(painted, row, x, x + run.len() as u32);
+        if along.sweep.is_culled() {
             return;
         }
-        if candidates.len() > 1 {
-            along.share();
-        }
-        let finish = Finish::new::<C>(solid, self.light);
-        let mirrored = along.mirrored(finish.to_light);
-        let mut canvas = Canvas { finish, mirrored, x, y: row.y, run, candidates };
-        canvas.outwards(&mut along);
-        if along.turn() {
-            canvas.outwards(&mut along);
+        let finish = Finish::new::<C>(painted.solid, self.light);
+        let mut canvas = Canvas::new(finish, &along, (x, row.y), run);
+        canvas.half_row(&mut along);
+        if along.sweep.reverse() {
+            canvas.half_row(&mut along);
         }
     }
 }

@@ -1,33 +1,36 @@
-//! Caps that rays come in through. There is nothing before them, for a run that is of use begins outside.
+//! Pixels whose rays come in through a cap. Nothing hides it, for a usable row's rays begin outside the solid's ball.
 
-use super::normal::Seen;
-use super::sweep::Sweep;
+use super::sweep::{Span, Sweep};
 use crate::vector::dot_xy;
-use crate::vector::vector;
 
 impl Sweep<'_> {
-    /// The square of the radius of the cap that rays come in through, if there is one.
+    /// The span of pixels, from the i-th on, whose rays come in through a cap, clear of its rim by more than the tolerance.
+    /// `None` if the i-th is not such a pixel, or if not all of the row's rays rise, or all fall.
     #[inline(always)]
-    pub fn cap_ahead(&self) -> Option<f32> {
-        let frame = self.lathe.frame;
-        let cap = if self.rising? { frame.base.cap } else { frame.top.cap };
-        (cap > 0.0).then_some(cap)
+    pub(super) fn cap_span(&self, i: u32) -> Option<Span> {
+        let frame = self.bounds.lathe.frame;
+        let is_rising = self.bounds.rising?;
+        let square = if is_rising { frame.base.cap } else { frame.top.cap };
+        if !(square > 0.0) {
+            return None;
+        }
+        let to = self.cap_until(i, square, is_rising);
+        (to > i).then(|| Span::Cap { to, up: if is_rising { -1.0 } else { 1.0 } })
     }
 
-    /// Hands over what each ray from the i-th on sees that comes in through a cap, clear of its rim. The first that does
-    /// not is the one returned.
-    #[inline(always)]
-    pub fn cap(&self, mut i: u32, cap: f32, mut see: impl FnMut(u32, &Seen)) -> u32 {
-        let frame = self.lathe.frame;
-        let (z, up) = if self.rising == Some(true) { (frame.low, -1.0) } else { (frame.high, 1.0) };
-        while i < self.end {
+    /// The first pixel from the i-th on, or the end, whose ray does not clearly pass through a cap, given the square of the cap's
+    /// radius and whether it is the lower one, which rising rays meet first.
+    #[inline(never)]
+    fn cap_until(&self, mut i: u32, square: f32, is_rising: bool) -> u32 {
+        let frame = self.bounds.lathe.frame;
+        let z = if is_rising { frame.low } else { frame.high };
+        while i < self.direction.len {
             let (m, d) = self.ray(i);
             let p = m + d * ((z - m.z) / d.z);
-            // The flatter the ray, the farther off rounding may put the place.
-            if !((cap - dot_xy(p, p)) * d.z.abs() > self.doubt) {
+            // The flatter the ray, the farther rounding of its height moves the point: the tolerance counts for dz = 1.
+            if !((square - dot_xy(p, p)) * d.z.abs() > self.bounds.tolerance) {
                 break;
             }
-            see(i, &Seen { gradient: vector([0.0, 0.0, up]), per_length: 1.0 });
             i += 1;
         }
         i

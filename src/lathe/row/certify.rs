@@ -1,125 +1,165 @@
-//! Whether a root is a ray's first: whether g keeps its sign all along the ray before it.
+//! Whether a tracked root is its ray's nearest: whether g keeps its sign all along the ray before it.
 //!
-//! An entering root's own slope tells, most often. With A = dg/ds there, no more than J turned at the kinks of
-//! what the ray may have passed before it, and `g″ ≤ 2K` between kinks, x before the root
+//! Most often an entering root's own slope says so. Let A = dg/ds there, J the sum of the slope jumps at the knots that the ray
+//! may have passed before, times |dz|, and `g″ ≤ 2K` between knots. Then x before the root
 //!
 //! `g ≤ −(A − J)·x + K·x²`, K = bulge·dz² − q, J = kinks·|dz|.
 //!
-//! That is negative where `K ≤ 0 < A − J`: one comparison a pixel, as far back as one segment after another has K ≤ 0.
-//! Before a root that leaves, through as many of them, a g that is positive where they begin stays so.
+//! That is negative where `K ≤ 0 < A − J`: one comparison a pixel, as far back as one segment after another has K ≤ 0. Before a
+//! root that leaves, through as many segments, g is concave, and so positive if it is where they begin.
 //!
-//! That ends with a segment that has K > 0, or a kink that is more than rounding. There a look at the ray's cubics tells
-//! that g keeps its sign before, and for how many pixels more.
+//! That ends at a segment with K > 0, or at a slope jump that is more than rounding. There an upper bound from the ray's cubics
+//! certifies that g keeps its sign before, and for how many pixels more.
 //!
 //! In a root's own segment, whatever its K, g keeps its sign if it has it where the ray comes in, and, going back from the
-//! root, does not bend the wrong way first and the right way then: that is for the sign of F‴·dz to tell. Where it may, the
-//! slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height, or else the segment's cubic is asked, pixel by pixel.
+//! root, does not curve the wrong way first and the right way then, which the sign of F‴·dz decides. Where it may, the slope
+//! must be more than `|F‴/6|·h²·|dz|`, h the segment's height; where it is not, the segment's cubic is asked, pixel by pixel.
 
-use super::skip::Crest;
-use super::sweep::Sweep;
+use super::skip::UpperBound;
+use super::sweep::{Certificate, RootStart, Sweep};
 use crate::lathe::segment::Segment;
 use crate::math::minmax::lesser;
 
-/// How a root is known to be the first.
-pub(super) struct First {
-    /// If its slope is more than this, by that.
-    pub slope: f32,
-    /// If not, by the cubic in its own segment: c₃, in the segment's u, over that of a ray with du/ds = 1. Zero if that
-    /// would not tell more.
-    pub bump: f32,
-    /// Before this pixel.
-    pub until: u32,
+/// What is found of a root that is tracked.
+pub(super) enum Certification {
+    /// It is the nearest, for this reason.
+    Nearest(Certificate),
+    /// It may not be: one may lie here. It may be nearer, or, past a rim, just behind.
+    Another(RootStart),
+    /// Neither is known.
+    Undecided,
 }
 
-impl First {
-    /// None is known to be.
-    pub const UNKNOWN: Self = Self { slope: f32::INFINITY, bump: 0.0, until: u32::MAX };
+/// The part of a ray before a root's segment.
+enum Before {
+    /// g keeps its sign there, for all pixels before this one.
+    Clear { until: u32 },
+    /// A root may lie there.
+    MayMeet(RootStart),
+    /// Neither is known.
+    Undecided,
+}
+
+/// The segments through which the slope alone certifies a root, from the root's own back along the ray.
+struct Concave<'a> {
+    /// The one that the ray meets first.
+    first: &'a Segment,
+    /// The sum of the slope jumps between them.
+    kinks: f32,
+    /// Whether the ray meets no other segment before.
+    is_all: bool,
 }
 
 impl Sweep<'_> {
-    /// Whether it is known of the root followed, from the i-th ray's on; how, and as far as which ray, is kept.
-    pub(super) fn certify(&mut self, i: u32) -> bool {
-        let (mut segment, mut index, mut kinks, mut is_all) = (self.segment, self.index, 0.0, false);
-        let (enters, is_concave) = (self.sign > 0.0, segment.bulge <= self.bulge);
+    /// Decides whether the root in the tracked segment is the nearest on the i-th ray and those that follow it.
+    pub(super) fn certify(&self, i: u32) -> Certification {
+        let (bounds, root) = (&self.bounds, &self.root);
+        let (segment, enters) = (root.segment, root.sign > 0.0);
+        let is_concave = segment.bulge <= bounds.bulge;
         let [_, _, _, f3] = segment.f;
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
-        if let Some(is_rising) = self.rising {
+        let mut passed = Concave { first: segment, kinks: 0.0, is_all: false };
+        if let Some(is_rising) = bounds.rising {
+            // g curves the right way all the way back.
             if (f3 > 0.0) != (is_rising == enters) {
                 bump = 0.0;
             }
             if is_concave || !enters && bump == 0.0 {
-                // As far back as g is concave, but for rounding.
-                loop {
-                    is_all = if is_rising { segment.low <= self.low } else { segment.high >= self.high };
-                    index = if is_rising { index.wrapping_sub(1) } else { index + 1 };
-                    let Some(next) = self.lathe.segments.get(index).filter(|_| !is_all) else {
-                        break;
-                    };
-                    let passed = kinks + if is_rising { next.kink } else { segment.kink };
-                    if !(next.bulge <= self.bulge && passed * self.steep * self.span < 0.25 * self.doubt) {
-                        break;
-                    }
-                    (kinks, segment) = (passed, next);
-                }
+                passed = self.concave(is_rising);
             }
         }
-        let until = if enters && is_all { Some(u32::MAX) } else { self.looked_before(i, segment) };
-        let Some(until) = until else {
-            return false;
+        let before = if enters && passed.is_all {
+            Before::Clear { until: u32::MAX }
+        } else {
+            self.before(i, passed.first)
         };
-        let slope = (kinks + bump * segment.per_height) * self.steep + self.slack;
-        self.first = First { slope, bump, until };
-        true
+        match before {
+            Before::Clear { until } => {
+                let slope = (passed.kinks + bump * segment.per_height) * bounds.steep + bounds.slack;
+                Certification::Nearest(Certificate { slope, bump, until })
+            }
+            Before::MayMeet(start) => Certification::Another(start),
+            Before::Undecided => Certification::Undecided,
+        }
     }
 
-    /// The pixel as far as which g is known to keep its sign before the rays come to a segment, by a look at the i-th. A root
-    /// that leaves must come through an open end: then g is positive before it.
+    /// The segments, from the root's own back, through which g is concave along every ray of the row, but for slope jumps
+    /// that raise it by less than a quarter of the tolerance. (A quarter, since rounding has another: the tolerance is four
+    /// times what it was seen to do.) All rays rise, or all fall.
     #[inline(always)]
-    fn looked_before(&mut self, i: u32, segment: &Segment) -> Option<u32> {
-        let ray = self.ray(i);
-        let (path, sign) = (self.path(ray), self.sign);
-        let frame = self.lathe.frame;
-        let end = if path.rises() { &frame.base } else { &frame.top };
-        if sign < 0.0 && end.part.is_some() {
-            return None;
+    fn concave(&self, is_rising: bool) -> Concave<'_> {
+        let bounds = &self.bounds;
+        let (mut first, mut index, mut kinks) = (self.root.segment, self.root.index, 0.0);
+        loop {
+            let is_all = if is_rising { first.low <= bounds.low } else { first.high >= bounds.high };
+            index = if is_rising { index.wrapping_sub(1) } else { index + 1 };
+            let Some(next) = bounds.lathe.segments.get(index).filter(|_| !is_all) else {
+                return Concave { first, kinks, is_all };
+            };
+            let with_next = kinks + if is_rising { next.kink } else { first.kink };
+            if !(next.bulge <= bounds.bulge
+                && with_next * bounds.steep * bounds.span < 0.25 * bounds.tolerance)
+            {
+                return Concave { first, kinks, is_all };
+            }
+            (kinks, first) = (with_next, next);
         }
-        let (near, far) = self.reach(&path);
-        let far = lesser(far, path.slab(segment.low, segment.high).0);
-        // Where that begins, too, however far away, if more than the slope must tell of what follows.
-        let by_slope = sign > 0.0 && self.segment.bulge <= self.bulge;
-        let before = (if by_slope { near } else { lesser(near, far) }, far);
-        let Crest { g, entry } = self.crest(&path, sign, before);
-        if g < -self.doubt {
-            return Some((i + 1).saturating_add(self.pixels(&path, ray, sign, -g - self.doubt, before)));
-        }
-        if g < self.doubt {
-            return None;
-        }
-        // An earlier root, or, past a rim, one just behind it. That is followed from here on, as far as no pixel yet.
-        let (index, s, turns) = entry.unwrap_or((self.index, far, -1.0));
-        let tries = self.tries;
-        self.begin(index, s, sign * turns);
-        self.tries = tries;
-        Some(0)
     }
 
-    /// Whether g keeps its sign from where a ray comes to the segment of a root as far as the root, given the root's
-    /// u, the slope at so much beyond it as Newton's last step went back, the ray's q, and its dz in the segment's
-    /// u.
+    /// Whether g keeps its sign, below zero before a root that enters, above before one that leaves, until the i-th ray comes
+    /// to a segment; and for how many pixels it still does.
+    #[inline(always)]
+    fn before(&self, i: u32, segment: &Segment) -> Before {
+        let (bounds, root) = (&self.bounds, &self.root);
+        let ray = self.ray(i);
+        let (path, sign) = (self.path(ray), root.sign);
+        let frame = bounds.lathe.frame;
+        let end = if path.rises() { &frame.base } else { &frame.top };
+        // A root that leaves is seen through an open end: through a cap the ray would have entered.
+        if sign < 0.0 && end.part.is_some() {
+            return Before::Undecided;
+        }
+        let (near, far) = self.interval(&path);
+        let far = lesser(far, path.slab(segment.low, segment.high).0);
+        // The point where the segment begins is bounded, too, even if the interval begins behind it: unless the slope says
+        // enough of the segment by itself, its proof needs the sign of g at that point.
+        let by_slope = sign > 0.0 && root.segment.bulge <= bounds.bulge;
+        let before = (if by_slope { near } else { lesser(near, far) }, far);
+        let UpperBound { g, start } = self.upper_bound(&path, sign, before);
+        if g < -bounds.tolerance {
+            let run = self.certified_run(&path, ray, sign, -g - bounds.tolerance, before);
+            return Before::Clear { until: (i + 1).saturating_add(run) };
+        }
+        if g < bounds.tolerance {
+            return Before::Undecided;
+        }
+        // What crosses before the bound's sign is turned round crosses the other way in g. With no start known, it is just behind
+        // the rim of the end, in the root's own segment, and crosses as the tracked root does not.
+        let RootStart { index, s, sign: crosses } =
+            start.unwrap_or(RootStart { index: root.index, s: far, sign: -1.0 });
+        Before::MayMeet(RootStart { index, s, sign: sign * crosses })
+    }
+
+    /// Whether g keeps its sign from where a ray comes into the tracked root's segment as far as the root, by the segment's
+    /// cubic. In: the root's u; the slope of g at the point as far beyond the root as Newton's last step, `back`, went back; the
+    /// ray's q; and its dz in units of u.
     ///
     /// With κ = |du/ds|, A the slope at the root, and y the way back from it in u,
     ///
-    /// `κ²·g = −y·(A·κ − c2·y + c3·y²)`,
+    /// `κ²·g = −y·B(y)`, `B = A·κ − c₂·y + c₃·y²`,
     ///
-    /// and the bracket has no zero on that way.
+    /// and B has no zero if its discriminant is negative.
     #[cold]
     #[inline(never)]
-    pub(super) fn is_first_by_cubic(&self, u: f32, slope: f32, back: f32, q: f32, dz: f32) -> bool {
-        let [_, _, f2, f3] = self.segment.f;
+    pub(super) fn is_nearest_by_cubic(&self, u: f32, slope: f32, back: f32, q: f32, dz: f32) -> bool {
+        let [_, _, f2, f3] = self.root.segment.f;
         let kappa = dz.abs();
         let square = kappa * kappa;
         let curve = (3.0 * f3 * u + f2) * square - q;
-        let (c2, slope) = (self.sign * curve, slope - 2.0 * curve * back);
-        slope > self.slack && c2 * c2.abs() < 4.0 * (slope - self.doubt) * kappa * (self.first.bump * square)
+        let (c2, slope) = (self.root.sign * curve, slope - 2.0 * curve * back);
+        let bounds = &self.bounds;
+        slope > bounds.slack
+            && c2 * c2.abs()
+                < 4.0 * (slope - bounds.tolerance) * kappa * (self.root.certificate.bump * square)
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::vector::{F32x3, dot};
 
-/// The rays of a row of pixels, counted from one of them, or from between two: origin and direction are linear in the
-/// pixel's number.
+/// The rays of a row of pixels, counted from one of them or from between two: the ray of pixel i has origin
+/// `origin + i·origin_step` and direction `direction + i·direction_step`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayRow {
     pub origin: F32x3,
@@ -13,13 +13,13 @@ pub(crate) struct RayRow {
 }
 
 impl RayRow {
-    /// The same, counted the other way round.
-    pub fn turned(&self) -> Self {
+    /// The same rays counted backwards: pixel i is what pixel −i was.
+    pub fn reversed(&self) -> Self {
         Self { origin_step: self.origin_step * -1.0, direction_step: self.direction_step * -1.0, ..*self }
     }
 
-    /// The same, counted from pixel i, with every origin moved along its ray to where it is about nearest to zero: pixel i's
-    /// exactly so. By how much they are moved, in units of the direction.
+    /// The same rays counted from pixel i, and each origin moved along its ray by the same multiple of the direction, which is
+    /// returned: the one that brings pixel i's origin to where its ray is nearest to zero.
     #[inline(always)]
     pub fn about(&self, i: f32) -> (Self, f32) {
         let (o, d) = self.at(i);
@@ -28,7 +28,7 @@ impl RayRow {
         (Self { origin: o + d * shift, origin_step, direction: d, ..*self }, shift)
     }
 
-    /// Origin and direction of pixel i.
+    /// The origin and the direction of pixel i's ray.
     #[inline]
     pub fn at(&self, i: f32) -> (F32x3, F32x3) {
         (self.origin + self.origin_step * i, self.direction + self.direction_step * i)

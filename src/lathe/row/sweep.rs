@@ -1,161 +1,281 @@
-//! Neighbouring rays, one after another: where one meets the wall is where the next one is looked for.
+//! The traversal of a row: neighbouring rays, one after another, each looked at in the light of what the last one met.
 //!
-//! In the lathe's frame the rays of a row are `P = M + s·D`, M and D linear in the pixel's number i, with s
-//! counted from where the row passes the solid. Pixels are counted from the one whose ray passes nearest to the axis:
-//! from there to the right, and then, [turned](Sweep::turn), to the left. So past a silhouette the rays part from the
-//! solid, and one look tells that the rest sees nothing. A pixel is one of four things, the cheapest asked first:
-//!
-//! - **A root, followed** from the last pixel's by Newton's method, one step mostly (`follow.rs`), and
-//!   certified to be the ray's first (`first.rs`).
-//! - **One that sees a cap**, through which its ray comes in (`cap.rs`).
-//! - **One of a run of misses**, certified together ([`Sweep::look`], `clear.rs`).
-//! - **Nothing certain**: within `doubt` of a silhouette, a rim or a cap. Its ray goes alone, as any other.
+//! In the lathe's frame the rays of a row are `P = M + s·D`, M and D linear in the pixel's number i, with s counted from where
+//! the row passes the solid. Pixels are counted from the one whose ray passes nearest to the axis, 0, to the right, and, in the
+//! other half of the row, to the left. So silhouettes are met from within; beyond one the rays diverge from the solid, and one
+//! probe certifies that the rest of the half misses.
 
-use super::certify::First;
+use super::certify::Certification;
 use super::ray_row::RayRow;
-use super::track::STEPS;
+use super::setup::RowBounds;
+use super::skip::Probe;
+use super::track::TrackEnd;
 use crate::hit::{Hit, Part};
-use crate::lathe::frame::View;
 use crate::lathe::ray::LocalRay;
 use crate::lathe::segment::Segment;
-use crate::math::minmax::{greater, lesser};
 use crate::vector::F32x3;
 
-/// A run of rays at a lathe, and the root that is followed along it.
-pub(crate) struct Sweep<'a> {
-    pub(super) lathe: View<'a>,
-    /// Whether none of the rays comes near the solid.
-    pub is_far: bool,
-    /// Not if the rays spread too wide, or begin too near the solid, for what they share to be of use.
-    pub(super) is_usable: bool,
-    /// Not if another solid may be nearer, either.
-    pub(super) may_follow: bool,
-    /// M and D, in the frame, x scaled by √k, counted from half a pixel before the first one.
-    pub(super) rays: RayRow,
-    /// Where s = 0 is on the rays; a distance along them, times `unit`, is counted in s.
-    pub(super) shift: f32,
-    pub(super) unit: f32,
-    /// The column that pixels are counted from: to the right from here on, or, turned, to the left from the one before.
-    pub middle: u32,
-    pub is_turned: bool,
-    /// How many pixels there are this way, and how many to the left.
-    pub end: u32,
-    pub(super) left: u32,
-    /// Whether the left half is the mirror image of the right one.
-    pub(super) is_mirrored: bool,
-    /// Every point of the solid on every ray of the run has |s| ≤ span.
-    pub(super) span: f32,
-    /// From where to where in height rays of the run can meet the solid.
-    pub(super) low: f32,
-    pub(super) high: f32,
-    /// The largest |dz| of any ray of the run.
-    pub(super) steep: f32,
-    /// Where the profile bulges no more than this g is concave along all of them: the least q/dz².
-    pub(super) bulge: f32,
-    /// Whether they rise, or fall; neither, if some do either, or nothing may be followed.
-    pub(super) rising: Option<bool>,
-    /// The largest |∂z/∂i| within the span, in four spans.
-    pub(super) drift: f32,
-    /// What lies nearer than this to a decision, in g or in z, is not decided here.
-    pub(super) doubt: f32,
-    /// The slope that a root must have: behind it g comes to more than doubt, A² > 4·q·doubt, if nothing bends it more than
-    /// q; and there is one where a step leaves off, whatever bends it.
-    pub(super) slack: f32,
-    /// A step d leaves an error of `d²·|g″/2|/slope`: at most 2⁻¹⁹, if `d²` is no more than this times the slope.
-    pub(super) tolerance: f32,
+/// How often a step of Newton's method, or a change of segment, is tried before the pixel is cast as a ray of its own.
+///
+/// Each step squares the error, in units of the slope over the curvature: from a quarter of that, four come below f32's
+/// roundoff, (2⁻²)¹⁶ = 2⁻³². What takes longer lies beside a double root, where the row decides nothing anyway.
+pub(super) const STEPS: u32 = 4;
 
-    /// Whether there is a root to follow, and whether it enters the solid, 1, or leaves it, −1.
-    pub(super) following: bool,
-    pub(super) sign: f32,
-    /// Where it is looked for at the next pixel, how far it moved at the last one, and how much farther than
-    /// before: in s, or, if it leaves, in −s, along the ray turned round.
-    pub(super) s: f32,
-    pub(super) step: f32,
-    pub(super) bend: f32,
-    /// The segment it is in.
-    pub(super) index: usize,
-    pub(super) segment: &'a Segment,
-    /// How it is known to be the first.
-    pub(super) first: First,
-    /// The pixel last looked at in vain.
-    pub(super) looked: u32,
-    /// How often something else may be tried at one pixel.
-    pub(super) tries: u32,
-    /// The root last looked for, if there may be one: segment, place and sign.
-    pub(super) entry: Option<(usize, f32, f32)>,
+/// Neighbouring pixels that are alike. The i-th pixel is the first of each; `to` is the one after the last.
+pub(crate) enum Span {
+    /// A root is tracked, and, unless tracking ends before, known to be the nearest: to be painted by [`Sweep::track`].
+    Tracked { to: u32 },
+    /// A cap is seen: the upper one if `up` is 1, the lower one if it is −1.
+    Cap { to: u32, up: f32 },
+    /// Nothing of the solid is seen. `to` may lie beyond the end.
+    Empty { to: u32 },
+    /// Undecided: the i-th pixel is to be cast as a ray of its own, and a hit to be reported by [`Sweep::found`].
+    Single,
+}
+
+/// One half of a row of rays at a lathe, then the other: what is known of all rays, which way pixels are counted, and the root
+/// that is tracked from ray to ray.
+pub(crate) struct Sweep<'a> {
+    pub(super) bounds: RowBounds<'a>,
+    pub(super) direction: Direction,
+    pub(super) root: TrackedRoot<'a>,
+}
+
+/// Which way pixels are counted: changed by [`Sweep::reverse`] alone.
+pub(super) struct Direction {
+    /// M and D, in the frame, x scaled by √k. Pixel i is at i + ½.
+    pub rays: RayRow,
+    /// Whether pixels are counted to the left.
+    pub is_reversed: bool,
+    /// The number of pixels this way.
+    pub len: u32,
+}
+
+/// The root that is tracked, if one is, and what the search for one has come to.
+pub(super) struct TrackedRoot<'a> {
+    pub is_tracked: bool,
+    /// 1 if the ray enters the solid at the root, −1 if it leaves it. One that leaves is tracked as one that enters along the
+    /// ray reversed: `sign·s` is what is kept of it.
+    pub sign: f32,
+    /// `sign·s` predicted for the next pixel, its last change from pixel to pixel, and the change of that.
+    pub s: f32,
+    pub step: f32,
+    pub bend: f32,
+    /// The segment that the root is in. `segment` is that of number `index` once the root has been looked for there.
+    pub index: usize,
+    pub segment: &'a Segment,
+    /// Why it is the nearest.
+    pub certificate: Certificate,
+    /// Why tracking ended, until [`Sweep::next`] has seen to it.
+    pub end: Option<TrackEnd>,
+    /// How many changes of segment or of the root may still be tried before a pixel has to be found.
+    pub tries: u32,
+    /// A pixel that need not be probed: it was in vain, or would be.
+    pub probed: u32,
+    /// Where the last probe that could not rule out a root says that it may be.
+    pub start: Option<RootStart>,
+}
+
+/// Why a tracked root is its ray's nearest: one of two tests a pixel, and how long both hold.
+pub(super) struct Certificate {
+    /// The root is the nearest if the slope of g is more than this.
+    pub slope: f32,
+    /// If it is not, by [`Sweep::is_nearest_by_cubic`], given this: |f₃| of the root's own segment, or zero if the test
+    /// would say no more than the slope.
+    pub bump: f32,
+    /// The first pixel that it does not hold for.
+    pub until: u32,
+}
+
+/// Where a root may be: where tracking may begin.
+#[derive(Clone, Copy)]
+pub(super) struct RootStart {
+    pub index: usize,
+    /// About where it is, along the ray.
+    pub s: f32,
+    /// Whether the ray enters the solid there, 1, or leaves it, −1.
+    pub sign: f32,
+}
+
+impl<'a> TrackedRoot<'a> {
+    /// No root, in a lathe of which `segment` is any segment.
+    pub fn none(segment: &'a Segment) -> Self {
+        Self {
+            is_tracked: false,
+            sign: 1.0,
+            s: 0.0,
+            step: 0.0,
+            bend: 0.0,
+            index: 0,
+            segment,
+            certificate: Certificate { slope: f32::INFINITY, bump: 0.0, until: u32::MAX },
+            end: None,
+            tries: STEPS,
+            probed: u32::MAX,
+            start: None,
+        }
+    }
+
+    /// Begins to track a root near a place, uncertified as yet: no certificate holds for any pixel.
+    pub fn begin(&mut self, RootStart { index, s, sign }: RootStart) {
+        (self.sign, self.s, self.step, self.bend) = (sign, sign * s, 0.0, 0.0);
+        (self.index, self.certificate.until, self.is_tracked) = (index, 0, true);
+    }
 }
 
 impl Sweep<'_> {
-    /// M and D of the i-th ray.
-    pub(super) fn ray(&self, i: u32) -> (F32x3, F32x3) {
-        self.rays.at(i as f32 + 0.5)
+    /// Whether no ray of the row comes near the solid.
+    pub fn is_culled(&self) -> bool {
+        self.bounds.is_culled
     }
 
-    /// A ray of it.
-    pub(super) fn path(&self, (point, direction): (F32x3, F32x3)) -> LocalRay {
-        LocalRay::through(point, direction)
-    }
-
-    /// From where to where rays can meet the solid at the height that this one has there: it itself, and as many more
-    /// as [`Sweep::pixels`] reckons with, which come to a height up to four spans earlier or later.
-    pub(super) fn reach(&self, path: &LocalRay) -> (f32, f32) {
-        let span = 5.0 * self.span;
-        let (near, far) = path.slab(self.low, self.high);
-        (greater(-span, near), lesser(span, far))
-    }
-
-    /// Looks for roots in the segment of that number, if there is one.
+    /// The number of pixels of the half that is being swept.
     #[inline(always)]
-    pub(super) fn enter(&mut self, index: usize) -> bool {
-        let Some(segment) = self.lathe.segments.get(index) else {
-            return false;
-        };
-        (self.index, self.segment) = (index, segment);
-        true
+    pub fn len(&self) -> u32 {
+        self.direction.len
     }
 
-    /// From now on nothing but that a ray misses is told here.
-    pub fn share(&mut self) {
-        (self.may_follow, self.is_mirrored, self.rising) = (false, false, None);
+    /// Whether columns fall as pixel numbers grow.
+    #[inline(always)]
+    pub fn is_reversed(&self) -> bool {
+        self.direction.is_reversed
     }
 
-    /// After the right half, the left one. Not if that is the mirror image, or if this was it.
-    pub fn turn(&mut self) -> bool {
-        if self.is_mirrored || self.is_turned {
-            return false;
-        }
-        self.rays = self.rays.turned();
-        (self.end, self.is_turned, self.following, self.looked) = (self.left, true, false, u32::MAX);
-        true
+    /// The column of the i-th pixel.
+    #[inline(always)]
+    pub fn column(&self, i: u32) -> u32 {
+        let middle = self.bounds.middle;
+        if self.direction.is_reversed { middle - 1 - i } else { middle + i }
     }
 
-    /// What the run's rays lie side by side along, if its left half is the mirror image of its right one.
+    /// The column of the i-th pixel's mirror image, where the row has one.
+    #[inline(always)]
+    pub fn mirrored_column(&self, i: u32) -> u32 {
+        self.bounds.middle - 1 - i
+    }
+
+    /// A normal of the plane that reflects the right half of the row into the left one, in object space, if one does; then the
+    /// right half tells what both see.
     pub fn mirror(&self) -> Option<F32x3> {
-        self.is_mirrored.then_some(self.rays.origin_step)
+        self.bounds.is_mirrored.then_some(self.direction.rays.origin_step)
     }
 
-    /// With nothing to follow, the next pixel to ask for: this one again, if now there is, or the first that may see
-    /// something. None if this one's ray has to go alone.
-    pub fn look(&mut self, i: u32) -> Option<u32> {
-        if !self.is_usable || self.looked == i {
-            return None;
+    /// Goes over to the left half of the row, counted to the left, with no root tracked. False, and no change, if it is the
+    /// right one's mirror image or has been swept.
+    pub fn reverse(&mut self) -> bool {
+        let Self { bounds, direction, root } = self;
+        if bounds.is_mirrored || direction.is_reversed {
+            return false;
         }
-        self.looked = i;
-        let next = self.clear_until(i);
-        (next > i || self.following).then_some(next)
+        *direction = Direction { rays: direction.rays.reversed(), is_reversed: true, len: bounds.left };
+        (root.is_tracked, root.end, root.probed) = (false, None, u32::MAX);
+        true
     }
 
-    /// There is a root near s in that segment to follow from the next pixel asked for on.
-    pub(super) fn begin(&mut self, index: usize, s: f32, sign: f32) {
-        (self.sign, self.s, self.step, self.bend, self.tries) = (sign, sign * s, 0.0, 0.0, STEPS);
-        (self.index, self.first.until, self.following) = (index, 0, self.may_follow);
-    }
-
-    /// A ray gone alone meets the lathe here: there the next one's root is looked for.
-    pub fn found(&mut self, hit: &Hit) {
-        if hit.part == Part::Wall {
-            let s = hit.t * self.unit - self.shift;
-            self.begin(hit.segment, s, if hit.enters { 1.0 } else { -1.0 });
+    /// What the pixels from the i-th on see, which must be less than [`Sweep::len`].
+    #[inline(always)]
+    pub fn next(&mut self, i: u32) -> Span {
+        if let Some(end) = self.root.end.take() {
+            self.resume(i, end);
         }
+        loop {
+            if self.root.is_tracked {
+                let to = self.limit(i);
+                if to > i {
+                    return Span::Tracked { to };
+                }
+                self.resume(i, TrackEnd::Limit);
+                continue;
+            }
+            if let Some(span) = self.cap_span(i) {
+                return span;
+            }
+            if !self.bounds.is_usable || self.root.probed == i {
+                return Span::Single;
+            }
+            if let Probe::Misses { to } = self.search(i) {
+                return Span::Empty { to };
+            }
+        }
+    }
+
+    /// Probes the i-th ray, which no root is tracked for. If it may meet the solid, and it is known where, begins to track that
+    /// root, if roots are tracked.
+    #[inline(never)]
+    fn search(&mut self, i: u32) -> Probe {
+        self.root.probed = i;
+        // The left half begins with the last root that the right one looked for, most often the one it began with.
+        let probe = match self.root.start {
+            Some(start) if i == 0 => Probe::MayMeet(Some(start)),
+            _ => self.probe(i),
+        };
+        if let Probe::MayMeet(start) = probe {
+            self.root.start = start;
+            if let Some(start) = start.filter(|_| self.bounds.may_track) {
+                self.root.begin(start);
+                self.root.tries = STEPS;
+            }
+        }
+        probe
+    }
+
+    /// Goes on where tracking ended before the i-th pixel: in the next segment, or by a new certificate. If neither does, no
+    /// root is tracked, and the i-th pixel need not be probed: a probe would find the same root.
+    #[inline(never)]
+    fn resume(&mut self, i: u32, end: TrackEnd) {
+        let root = &mut self.root;
+        let index = match end {
+            TrackEnd::Limit if i < root.certificate.until => return,
+            TrackEnd::Limit => Some(root.index),
+            TrackEnd::LeftUpwards => Some(root.index + 1),
+            TrackEnd::LeftDownwards => Some(root.index.wrapping_sub(1)),
+            TrackEnd::Uncertified => None,
+            TrackEnd::Diverged => {
+                // Where it is no longer the root may be probed for anew.
+                root.is_tracked = false;
+                return;
+            }
+        };
+        root.tries -= 1;
+        let segment =
+            index.filter(|_| root.tries > 0).and_then(|index| self.bounds.lathe.segments.get(index));
+        if let (Some(index), Some(segment)) = (index, segment) {
+            (root.index, root.segment) = (index, segment);
+            match self.certify(i) {
+                Certification::Nearest(certificate) => {
+                    self.root.certificate = certificate;
+                    return;
+                }
+                Certification::Another(start) => {
+                    self.root.begin(start);
+                    return;
+                }
+                Certification::Undecided => {}
+            }
+        }
+        (self.root.is_tracked, self.root.probed) = (false, i);
+    }
+
+    /// A ray that was cast for the i-th pixel, or for its mirror image, meets the lathe: from there the root is tracked, if
+    /// roots are. The next pixel need not be probed: it most likely meets the lathe, too.
+    pub fn found(&mut self, i: u32, hit: &Hit) {
+        self.root.probed = i + 1;
+        if hit.part == Part::Wall && self.bounds.may_track {
+            let s = hit.t * self.bounds.unit - self.bounds.shift;
+            self.root.begin(RootStart { index: hit.segment, s, sign: if hit.enters { 1.0 } else { -1.0 } });
+            self.root.tries = STEPS;
+        }
+    }
+
+    /// The i-th ray, with s for its t. Not inline: three functions call it, and none of them often.
+    #[inline(never)]
+    pub(super) fn path(&self, (m, d): (F32x3, F32x3)) -> LocalRay {
+        LocalRay::through(m, d)
+    }
+
+    /// M and D of the i-th ray.
+    #[inline(always)]
+    pub(super) fn ray(&self, i: u32) -> (F32x3, F32x3) {
+        self.direction.rays.at(i as f32 + 0.5)
     }
 }

@@ -1,63 +1,66 @@
-//! A root, followed from ray to ray: the innermost loop.
+//! A root, tracked from ray to ray: predicted from its last changes, corrected by Newton's method. The innermost loop.
 
-use super::sweep::Sweep;
+use super::normal::{Seen, Wall};
+use super::sweep::{STEPS, Sweep};
 use crate::math::cold_path;
 use crate::math::minmax::greater;
-use crate::vector::dot_xy;
-use crate::vector::{F32x3, vector};
+use crate::vector::{F32x3, dot_xy, vector};
 
-/// How often Newton's method, or a change of segment, is tried before the ray goes alone.
-pub(super) const STEPS: u32 = 4;
+/// How many pixels are tracked in one go: M and D grow by addition, 64 of which are off by 64·2⁻²⁴ of the solid's size at most,
+/// and g by four times that, 2⁻¹⁶: a sixteenth of the tolerance.
+const MOST_PIXELS: u32 = 64;
 
-/// For how many pixels rays may be added up, and so how many are followed in one go.
-pub(super) const FRESH: u32 = 64;
-
-/// Why a root is followed no farther.
-pub(crate) enum Stop {
-    /// So far, and no farther, was asked for.
-    End,
-    /// It is not known to be the first.
-    Uncertain,
-    /// It has left the segment for the one so many farther up.
-    Left(usize),
-    /// There is none.
-    Lost,
+/// Why tracking ended at a pixel.
+#[derive(Clone, Copy)]
+pub(super) enum TrackEnd {
+    /// The limit that was asked for is reached.
+    Limit,
+    /// The root is not known to be the nearest.
+    Uncertified,
+    /// The root has left the segment through its upper end.
+    LeftUpwards,
+    /// Through its lower end.
+    LeftDownwards,
+    /// Newton's method finds no root.
+    Diverged,
 }
 
 impl Sweep<'_> {
-    /// The pixel as far as which the root, if there is one, can be followed from the i-th.
+    /// The pixel up to which the tracked root may be tracked from the i-th: none if it is not certified there.
     #[inline(always)]
-    pub fn followed(&self, i: u32) -> Option<u32> {
-        self.following.then(|| (i + FRESH.min(self.end - i)).min(self.first.until))
+    pub(super) fn limit(&self, i: u32) -> u32 {
+        (i + MOST_PIXELS.min(self.direction.len - i)).min(self.root.certificate.until)
     }
 
-    /// Follows the root from the i-th pixel on, up to another, and hands over where on the wall each is. The first pixel
-    /// that it is not certain of, if any, is the one returned.
+    /// Tracks the root from the i-th pixel on, up to another, and hands over what each pixel sees. Returns the first pixel that
+    /// sees none, `to` at most: tracking has ended there, and [`Sweep::next`] says what follows.
     #[inline(always)]
-    pub fn follow(&mut self, mut i: u32, to: u32, mut see: impl FnMut(F32x3)) -> (u32, Stop) {
-        let segment = self.segment;
-        // A root that leaves is one that enters if the ray is turned round. In the mirror, too, y is the other way: then the
-        // normal is that of the other side.
-        let sign = self.sign;
+    pub fn track(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen)) -> u32 {
+        let Self { bounds, root, .. } = &*self;
+        let (segment, sign) = (root.segment, root.sign);
+        let wall = Wall::new(segment, sign, bounds.lathe.frame.root_squash);
+        // A root that leaves is one that enters if the ray is reversed. The reversed ray is mirrored in the plane y = 0 as well: the
+        // y of its points is that of the other side's normal, as the wall expects it.
         let point = |p: F32x3, low: f32| vector([p.x, sign * p.y, (p.z - low) * segment.per_height]);
         let toward = |d: F32x3| vector([sign * d.x, d.y, d.z * (sign * segment.per_height)]);
         let (m, d) = self.ray(i);
         let (mut m, mut d) = (point(m, segment.low), toward(d));
-        let (m1, d1) = (point(self.rays.origin_step, 0.0), toward(self.rays.direction_step));
+        let rays = &self.direction.rays;
+        let (m1, d1) = (point(rays.origin_step, 0.0), toward(rays.direction_step));
         let [c0, c1, c2, c3] = segment.f;
-        let certain = self.first.slope;
-        let tolerance = self.tolerance;
-        // At the solid's ends roots are in doubt.
-        let pad = self.doubt * segment.per_height;
-        let from = if self.index == 0 { pad } else { 0.0 };
-        let to_end = if self.index + 1 == self.lathe.segments.len() { pad } else { 0.0 };
+        let certain = root.certificate.slope;
+        let step_tolerance = bounds.step_tolerance;
+        // Within the tolerance of the solid's ends, in height, nothing is decided.
+        let pad = bounds.tolerance * segment.per_height;
+        let from = if root.index == 0 { pad } else { 0.0 };
+        let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { 0.0 };
         let width = greater(0.0, 1.0 - from - to_end).to_bits();
-        let (mut s, mut step, mut bend) = (self.s, self.step, self.bend);
+        let (mut s, mut step, mut bend) = (root.s, root.step, root.bend);
         let start = i;
 
-        let mut stop = Stop::End;
+        let mut end = TrackEnd::Limit;
         'pixels: while i < to {
-            let guess = s;
+            let predicted = s;
             let mut tries = STEPS;
             loop {
                 let (x, y, u) = (m.x + s * d.x, m.y + s * d.y, m.z + s * d.z);
@@ -70,61 +73,42 @@ impl Sweep<'_> {
                 let steep = f1 * d.z - (b + b);
                 let back = (f - (x * x + y * y)) / steep;
                 s -= back;
-                if !(back * back <= tolerance * steep) {
+                // A step leaves an error of no more than `back²·|g″/2|/slope`. A slope of NaN or below zero fails.
+                if !(back * back <= step_tolerance * steep) {
                     cold_path();
                     tries -= 1;
                     if tries == 0 || !(steep > 0.0) {
-                        stop = Stop::Lost;
+                        end = TrackEnd::Diverged;
                         break 'pixels;
                     }
                     continue;
                 }
                 let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
+                // As integers, numbers below zero and NaN are greater than all others.
                 if (u - from).to_bits() > width {
-                    stop = Stop::Left(if u > 0.5 { 1 } else { usize::MAX });
+                    end = if u > 0.5 { TrackEnd::LeftUpwards } else { TrackEnd::LeftDownwards };
                     break 'pixels;
                 }
-                if !(steep > certain || self.is_first_by_cubic(u, steep, back, dot_xy(d, d), d.z)) {
-                    stop = Stop::Uncertain;
+                if !(steep > certain || self.is_nearest_by_cubic(u, steep, back, dot_xy(d, d), d.z)) {
+                    end = TrackEnd::Uncertified;
                     break 'pixels;
                 }
-                see(vector([x, y, u]));
+                see(&wall.seen(x, y, u));
                 break;
             }
-            // As far again, and by how much that grew again.
-            bend += s - guess;
+            // By second differences: what the prediction was off by is the change of the change.
+            bend += s - predicted;
             step += bend;
             s += step + bend;
             m += m1;
             d += d1;
             i += 1;
         }
-        (self.s, self.step, self.bend) = (s, step, bend);
+        let root = &mut self.root;
+        (root.s, root.step, root.bend, root.end) = (s, step, bend, Some(end));
         if i > start {
-            self.tries = STEPS;
+            root.tries = STEPS;
         }
-        (i, stop)
-    }
-
-    /// Where a root is followed no farther, it may still be certain: in the next segment, or by a look at what comes before.
-    #[inline(never)]
-    pub fn stopped(&mut self, i: u32, stop: Stop) {
-        self.tries -= 1;
-        let step = match stop {
-            Stop::End if i < self.first.until => return,
-            Stop::Lost => {
-                self.following = false;
-                return;
-            }
-            Stop::Uncertain => None,
-            Stop::End => Some(0),
-            Stop::Left(step) => Some(step),
-        };
-        let may_be =
-            step.filter(|_| self.tries > 0).is_some_and(|step| self.enter(self.index.wrapping_add(step)));
-        if !(may_be && self.certify(i)) {
-            // Looking would find the same root.
-            (self.following, self.looked) = (false, i);
-        }
+        i
     }
 }

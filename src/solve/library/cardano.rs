@@ -18,7 +18,7 @@ use core::marker::PhantomData;
 /// What else the formula loses beside a double root, and what rough functions lose anywhere, the refinement
 /// restores.
 ///
-/// Sound for every finite cubic over every backend; see the [module](super) for the bound.
+/// Sound for every finite cubic over every backend; see the [module](crate::solve) for the bound.
 ///
 /// ```
 /// use embedded_lathe::{Cubic, math::Libm, solve::Cardano};

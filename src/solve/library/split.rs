@@ -23,7 +23,7 @@ use core::marker::PhantomData;
 /// - A root so near to zero that 10⁻¹¹·d is not little beside it starts at `−c0/c1` instead, which is then
 ///   good to a 2⁻⁹.
 ///
-/// Sound for every finite cubic; see the [module](super) for the bound.
+/// Sound for every finite cubic; see the [module](crate::solve) for the bound.
 ///
 /// ```
 /// use embedded_lathe::{Cubic, math::Micromath, solve::Split};

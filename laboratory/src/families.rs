@@ -16,8 +16,10 @@ pub struct Question {
 pub struct Family {
     pub name: &'static str,
     make: fn(&mut ChaCha8Rng) -> Question,
-    /// Whether a question really is what the family is called.
-    pub occurred: fn(&Question, &Truth) -> bool,
+    /// How many kinds of questions the family is to have.
+    pub kinds: usize,
+    /// Which of them a question is, from 0 on; none if it is not what the family is called.
+    pub kind: fn(&Question, &Truth) -> Option<usize>,
 }
 
 impl Family {
@@ -36,7 +38,8 @@ pub const FAMILIES: &[Family] = &[
             let roots = [-0.9, -0.1, 0.6].map(|r| r + rng.random_range(0.0..0.3));
             question(from_roots(roots, signed(rng)), -1.0, 1.0)
         },
-        occurred: |_, truth| truth.roots.len() == 3,
+        kinds: 1,
+        kind: |_, truth| only(truth.roots.len() == 3),
     },
     Family {
         name: "near-double, gaps 1e-1 to 1e-7",
@@ -45,7 +48,8 @@ pub const FAMILIES: &[Family] = &[
             let other = rng.random_range(-3.0..3.0);
             question(from_roots([r, r + gap, other], signed(rng)), 0.0, 1.0)
         },
-        occurred: |question, truth| gap(truth) < 0.11 || nearly_double(question),
+        kinds: 1,
+        kind: |question, truth| only(gap(truth) < 0.11 || nearly_double(question)),
     },
     Family {
         name: "near-triple, gaps 1e-1 to 1e-7",
@@ -54,7 +58,8 @@ pub const FAMILIES: &[Family] = &[
             let [p, q] = [(); 2].map(|()| r + sign(rng) * magnitude(rng, 1e-7, 1e-1));
             question(from_roots([r, p, q], signed(rng)), 0.0, 1.0)
         },
-        occurred: |question, _| nearly_double(question) && nearly_flat(question),
+        kinds: 1,
+        kind: |question, _| only(nearly_double(question) && nearly_flat(question)),
     },
     Family {
         name: "c3/c2 from 1e-1 to 1e-12",
@@ -63,7 +68,9 @@ pub const FAMILIES: &[Family] = &[
             let c3 = c2 * sign(rng) * magnitude(rng, 1e-12, 1e-1);
             question([c0, c1, c2, c3], 0.0, 1.0)
         },
-        occurred: |question, _| question.c[3].abs() < 0.11 * question.c[2].abs(),
+        // The ratio's decade.
+        kinds: 11,
+        kind: |question, _| decade(question.c[3] / question.c[2], -12, -1),
     },
     Family {
         name: "c3 = 0",
@@ -71,7 +78,9 @@ pub const FAMILIES: &[Family] = &[
             let [c0, c1, c2] = [(); 3].map(|()| signed(rng));
             question([c0, c1, c2, 0.0], 0.0, 1.0)
         },
-        occurred: |question, _| question.c[3] == 0.0,
+        // Without a root, and with some.
+        kinds: 2,
+        kind: |question, truth| (question.c[3] == 0.0).then_some(truth.roots.len().min(1)),
     },
     Family {
         name: "c3 and c2 vanishing",
@@ -83,7 +92,12 @@ pub const FAMILIES: &[Family] = &[
             };
             question([c0, c1, small(), small()], 0.0, 1.0)
         },
-        occurred: |question, _| question.c[2].abs().max(question.c[3].abs()) < 0.11,
+        // Neither is zero, one is, both are.
+        kinds: 3,
+        kind: |question, _| {
+            let [.., c2, c3] = question.c;
+            (c2.abs().max(c3.abs()) < 0.11).then_some([c2, c3].iter().filter(|c| **c == 0.0).count())
+        },
     },
     Family {
         name: "roots over six decades",
@@ -91,9 +105,9 @@ pub const FAMILIES: &[Family] = &[
             let roots = [(); 3].map(|()| sign(rng) * magnitude(rng, 1e-3, 1e3));
             question(from_roots(roots, 1.0), -1100.0, 1100.0)
         },
-        occurred: |_, truth| {
-            truth.roots.iter().any(|r| r.abs() < 1.0) || truth.roots.iter().all(|r| r.abs() >= 1.0)
-        },
+        // The first root's decade.
+        kinds: 6,
+        kind: |_, truth| truth.roots.first().and_then(|root| decade(*root as f32, -3, 3)),
     },
     Family {
         name: "scaled by 2^-110 to 2^110",
@@ -102,7 +116,12 @@ pub const FAMILIES: &[Family] = &[
             let power = f64::from(rng.random_range(-110..=110)).exp2();
             question(from_roots(roots, power), -1.0, 1.0)
         },
-        occurred: |question, _| !(1e-2..1e2).contains(&question.c[3]),
+        // Small and large.
+        kinds: 2,
+        kind: |question, _| {
+            let lead = question.c[3];
+            (!(1e-2..1e2).contains(&lead)).then_some(usize::from(lead > 1.0))
+        },
     },
     Family {
         name: "roots on the interval's ends",
@@ -111,7 +130,9 @@ pub const FAMILIES: &[Family] = &[
             let end = 0.5 + f64::from(rng.random_range(0..2));
             question(from_roots([end, p, q], signed(rng)), 0.5, 1.5)
         },
-        occurred: |_, truth| truth.residual(0.5).min(truth.residual(1.5)) < 64.0,
+        // The lower end, and the upper.
+        kinds: 2,
+        kind: |_, truth| [0.5, 1.5].iter().position(|end| truth.residual(*end) < 64.0),
     },
     Family {
         name: "coefficients over 30 decades",
@@ -119,11 +140,12 @@ pub const FAMILIES: &[Family] = &[
             let c = [(); 4].map(|()| sign(rng) * magnitude(rng, 1e-20, 1e10));
             question(c, -1e6, 1e6)
         },
-        occurred: |question, _| {
+        kinds: 1,
+        kind: |question, _| {
             let sizes = question.c.map(f32::abs);
             let (low, high) =
                 (sizes.iter().copied().fold(f32::MAX, f32::min), sizes.iter().copied().fold(0.0, f32::max));
-            high > 1e2 * low
+            only(high > 1e2 * low)
         },
     },
     Family {
@@ -132,7 +154,9 @@ pub const FAMILIES: &[Family] = &[
             let c = [(); 4].map(|()| signed(rng));
             question(c, -1e4, 1e4)
         },
-        occurred: |_, truth| !truth.roots.is_empty(),
+        // One root, and three: the ends are on different sides.
+        kinds: 2,
+        kind: |_, truth| [1, 3].iter().position(|count| truth.roots.len() == *count),
     },
     Family {
         name: "c2 = 0",
@@ -140,17 +164,22 @@ pub const FAMILIES: &[Family] = &[
             let [c0, c1, c3] = [(); 3].map(|()| signed(rng));
             question([c0, c1, 0.0, c3], -1.0, 1.0)
         },
-        occurred: |question, _| question.c[2] == 0.0,
+        // No root, one, and several.
+        kinds: 3,
+        kind: |question, truth| (question.c[2] == 0.0).then_some(truth.roots.len().min(2)),
     },
     Family {
         name: "rays of every kind",
         make: |rng| troubles::chord(rng, false),
-        occurred: |question, _| question.c.iter().any(|c| *c != 0.0),
+        // A miss, one crossing, and two.
+        kinds: 3,
+        kind: |_, truth| Some(truth.roots.len().min(2)),
     },
     Family {
         name: "silhouette rays",
         make: |rng| troubles::chord(rng, true),
-        occurred: |question, _| nearly_double(question),
+        kinds: 1,
+        kind: |question, _| only(nearly_double(question)),
     },
 ];
 
@@ -173,6 +202,17 @@ fn sign(rng: &mut ChaCha8Rng) -> f64 {
 /// Every power of ten as likely as the next.
 fn magnitude(rng: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
     rng.random_range(low.ln()..high.ln()).exp()
+}
+
+/// The one kind of a family that has no others.
+fn only(occurred: bool) -> Option<usize> {
+    occurred.then_some(0)
+}
+
+/// Which decade a magnitude lies in, from 10ᶠʳᵒᵐ on, where 0 begins, to below 10ᵗᵒ.
+fn decade(x: f32, from: i32, to: i32) -> Option<usize> {
+    let decade = x.abs().log10().floor() as i32;
+    (from..to).position(|power| power == decade)
 }
 
 /// Between the nearest two roots.

@@ -27,13 +27,18 @@ fn answer(method: &Contender, question: &Question) -> Option<f64> {
     (method.first_root)(&question.c, question.lo, question.hi).map(f64::from)
 }
 
-/// Nine tenths of the questions of every family are what it is called.
+/// Nine tenths of the questions of every family are what it is called, and each of its kinds comes up, in a fiftieth of them at least.
 #[test]
 fn families_occur() {
     for family in FAMILIES {
-        let occurred =
-            questions(family, FEW).filter(|(_, question, truth)| (family.occurred)(question, truth)).count();
-        assert!(10 * occurred as u64 >= 9 * FEW, "{}: {occurred} of {FEW}", family.name);
+        let mut counts = vec![0; family.kinds];
+        for (_, question, truth) in questions(family, FEW) {
+            if let Some(kind) = (family.kind)(&question, &truth) {
+                counts[kind] += 1;
+            }
+        }
+        assert!(10 * counts.iter().sum::<u64>() >= 9 * FEW, "{}: {counts:?} of {FEW}", family.name);
+        assert!(counts.iter().all(|count| 50 * count >= FEW), "{}: {counts:?} of {FEW}", family.name);
     }
 }
 

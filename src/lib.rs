@@ -62,20 +62,16 @@
 //!
 //! # What is promised
 //!
-//! In units of ε·(size + distance), ε = 2⁻²⁴, the size of the solid and the distance of the ray's origin from
-//! its middle:
+//! A unit is ε·(size + distance), ε = 2⁻²⁴. The size of the solid is its height or its largest diameter, whichever is more
+//! (across, along y, of one that is stretched along x), the distance that of the ray's origin from the middle of the axis.
 //!
-//! - A ray that clears every silhouette, every rim and, at its start, the surface by 4 units hits or misses
-//!   as it should, and what it hits is what it should.
-//! - A hit lies within 4 units, over the cosine of incidence, of where it should; its distance counts as
-//!   distance, too.
+//! - A ray that clears every silhouette, every rim and, at its start, the surface by 4 units hits or misses as it should, and
+//!   what it hits is what it should. It clears them if no displacement of the surface by less changes the list of its crossings.
+//! - The point of a hit lies within 4 units of the surface, in a unit the hit's own distance from the ray's origin added to the
+//!   two. Where the surface is flat over that, the distance along the ray is off by 4 units over the cosine of incidence.
+//! - [`Lathe::spawn`] starts a ray beside a hit, on the side that it leaves to, clear of the surface by that.
 //! - A waist of no radius is as exact as the rest if a knot lies there. Where f touches zero inside a segment
 //!   the radius is known to √(8ε) of the segment's largest, for f is known to 8ε of its square.
-//! - Where a segment is much narrower than elsewhere, f is known to 16ε of its largest ordinate, and so the radius r to half of
-//!   that, over r. Beside an edge finer than a thousandth of the radius heights are known no better than elsewhere, and radii to
-//!   as many times that as the edge is steep.
-//! - A ray along the axis may meet a segment that comes to a point at both its ends tens of units and more from where
-//!   it should.
 //! - Nearer than that to a silhouette a ray may hit or miss; it never hits far away. Nothing is NaN, nothing
 //!   panics, nothing slips through a join.
 //!

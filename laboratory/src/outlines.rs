@@ -18,10 +18,23 @@ pub enum Kind {
     Neck,
     /// Ordinates and heights over three decades.
     Uneven,
+    /// Ten to a million times as high as wide: cylinders, cones, cones with a tip cut off.
+    Needle,
+    /// Segments that close to a point at both ends, or nearly.
+    Beads,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 6] = [Kind::Any, Kind::Quadric, Kind::Edge, Kind::Flare, Kind::Neck, Kind::Uneven];
+    pub const ALL: [Kind; 8] = [
+        Kind::Any,
+        Kind::Quadric,
+        Kind::Edge,
+        Kind::Flare,
+        Kind::Neck,
+        Kind::Uneven,
+        Kind::Needle,
+        Kind::Beads,
+    ];
 
     pub fn outline(self, seed: u64, number: u64) -> Outline {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
@@ -34,6 +47,8 @@ impl Kind {
             Kind::Flare => flare(rng),
             Kind::Neck => neck(rng),
             Kind::Uneven => uneven(rng),
+            Kind::Needle => needle(rng),
+            Kind::Beads => beads(rng),
         };
         let k = [1.0, 1.0, 1.0, 0.0, rng.random_range(0.05_f32..1.0)][rng.random_range(0..5)];
         Outline { name: "random", knots, ordinates, k, base_closed: rng.random(), top_closed: rng.random() }
@@ -110,5 +125,28 @@ fn uneven(rng: &mut ChaCha8Rng) -> Outlined {
         knots.push(knots[i] + decades(rng, 1e-3, 1.0));
     }
     let ordinates = (0..3 * segments + 1).map(|_| decades(rng, 1e-3, 1.0)).collect();
+    (knots, ordinates)
+}
+
+fn needle(rng: &mut ChaCha8Rng) -> Outlined {
+    let height = decades(rng, 10.0, 1e6);
+    // The radius at the tip, and the cone's ordinates: products of the radii.
+    let tip = [1.0, 0.0, decades(rng, 1e-4, 1.0)][rng.random_range(0..3)];
+    let (a, b) = ((2.0 + tip) / 3.0, (1.0 + 2.0 * tip) / 3.0);
+    let ordinates = [1.0, (a * a).min((1.0 + 2.0 * tip) / 3.0), b * tip, tip * tip];
+    (vec![0.0, height], ordinates.to_vec())
+}
+
+fn beads(rng: &mut ChaCha8Rng) -> Outlined {
+    let mut knots = vec![0.0_f32];
+    let mut ordinates = vec![0.0_f32];
+    for i in 0..rng.random_range(1..=3) {
+        knots.push(knots[i] + decades(rng, 0.1, 2.0));
+        let inner = [(); 2].map(|()| {
+            let thin = rng.random_ratio(1, 3);
+            if thin { decades(rng, 1e-6, 1e-1) } else { rng.random_range(0.05_f32..1.0) }
+        });
+        ordinates.extend([inner[0], inner[1], 0.0]);
+    }
     (knots, ordinates)
 }

@@ -190,3 +190,20 @@ fn a_flat_profile_is_hit_by_all_or_by_none() {
     let ray = Ray::new([1.2721038e-8, 1.181181, 1.8853217], [-0.99114305, 0.7079169, -0.6722731]).unwrap();
     asked(&Lathe::turn(profile), &ray, -0.1373758);
 }
+
+/// A shoulder so low that its two knots are one height in the lathe's frame is met like a disc between two radii.
+#[test]
+fn a_ring_of_no_height() {
+    let knots = [-1.0, 0.0, 1e-9, 1.0];
+    let ordinates = [0.25, 0.25, 0.25, 0.25, 0.5, 0.75, 1.0, 1.0, 1.0, 1.0];
+    let lathe = Lathe::turn(Profile::<SEGMENTS>::from_squared_radii(&knots, &ordinates).unwrap().closed());
+    for (x, t, enters) in [(0.75, 3.0, true), (0.25, 2.0, true)] {
+        let up = Ray::new([x, 0.0, -3.0], [0.0, 0.0, 1.0]).unwrap();
+        let hits = asked(&lathe, &up, 0.0);
+        let met: Vec<_> = hits.iter().map(|hit| (hit.t, hit.enters)).collect();
+        assert_eq!(met, [(t, enters), (4.0, false)]);
+        let down = Ray::new([x, 0.0, 3.0], [0.0, 0.0, -1.0]).unwrap();
+        let met: Vec<_> = asked(&lathe, &down, 0.0).iter().map(|hit| (hit.t, hit.enters)).collect();
+        assert_eq!(met, [(2.0, true), (6.0 - t, false)]);
+    }
+}

@@ -104,6 +104,13 @@ impl Segment {
         Self { kink: if jump <= 0.0 { 0.0 } else { jump }, ..self }
     }
 
+    /// The squared radius at the upper end, or the lower: a neighbour has the same number there.
+    #[inline(always)]
+    pub(super) fn end(&self, upper: bool) -> f32 {
+        let [lower, .., last] = self.b;
+        if upper { last } else { lower }
+    }
+
     /// The profile's parameter at a height of the frame, held to the segment.
     #[inline]
     pub(super) fn parameter(&self, z: f32) -> f32 {

@@ -78,9 +78,16 @@ fn turning(g: &Cubic, bend: f32, near: bool) -> f32 {
 /// there is one in [lo, hi].
 ///
 /// `positive` says how it starts, whatever rounding makes of its value there. From above zero it can come
-/// below only by falling, and then the minimum, or the interval's end, is below: two signs tell.
+/// below only by falling, and then the minimum, or the interval's end, is below: two signs decide. That at the end is taken
+/// from the value there, unless the caller knows it better.
 #[inline(always)]
-fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<(Cubic, Piece)> {
+fn first_piece<M: Math>(
+    g: &Cubic,
+    lo: f32,
+    hi: f32,
+    positive: bool,
+    ends_positive: Option<bool>,
+) -> Option<(Cubic, Piece)> {
     let g = if positive { *g } else { Cubic::new(g.c.map(|c| -c)) };
     let mut piece = Piece { lo, hi, fall: Fall::Straight, bend: 0.0, minimum: f32::INFINITY, depth: 0.0 };
     if let Some(bend) = bend::<M>(&g) {
@@ -96,7 +103,8 @@ fn first_piece<M: Math>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<(
             }
         }
     }
-    (g.at(hi) <= 0.0).then_some((g, piece))
+    let falls = ends_positive.map_or_else(|| g.at(hi) <= 0.0, |ends_positive| ends_positive != positive);
+    falls.then_some((g, piece))
 }
 
 /// Where a cubic crosses zero in an interval, from its lower end on, one crossing at a time.
@@ -111,13 +119,21 @@ pub(crate) struct Crossings<'a> {
     hi: f32,
     /// The sign of `g` at `lo`, whatever rounding makes of the value there.
     positive: bool,
+    /// That at `hi`, if it is known better than from the value there.
+    ends_positive: Option<bool>,
 }
 
 impl<'a> Crossings<'a> {
     /// The crossings in [lo, hi] of a cubic that is positive at `lo`, or negative.
     #[inline(always)]
     pub fn new(g: &'a Cubic, lo: f32, hi: f32, positive: bool) -> Self {
-        Self { g, lo, hi, positive }
+        Self { g, lo, hi, positive, ends_positive: None }
+    }
+
+    /// The same of a cubic whose sign at `hi` is known, too: the crossings are an odd number if the two differ.
+    #[inline(always)]
+    pub fn between(g: &'a Cubic, [lo, hi]: [f32; 2], [positive, ends_positive]: [bool; 2]) -> Self {
+        Self { g, lo, hi, positive, ends_positive: Some(ends_positive) }
     }
 
     /// The next point at which the cubic reaches the other sign, or zero, by the solver S. `None` if there is no other
@@ -125,9 +141,12 @@ impl<'a> Crossings<'a> {
     #[inline(always)]
     pub fn next<S: Solver>(&mut self) -> Option<f32> {
         if !(self.lo < self.hi) {
-            return None;
+            // An interval of no length, with another sign at its end.
+            let jumps = self.ends_positive == Some(!self.positive);
+            self.positive ^= jumps;
+            return jumps.then_some(self.hi);
         }
-        let (g, piece) = first_piece::<S::Math>(self.g, self.lo, self.hi, self.positive)?;
+        let (g, piece) = first_piece::<S::Math>(self.g, self.lo, self.hi, self.positive, self.ends_positive)?;
         let root = S::root(&g, &piece);
         (self.lo, self.positive) = (piece.hi, !self.positive);
         // Not `clamp`, which panics if the ends are out of order, so that firmware would carry the message.

@@ -2,6 +2,7 @@ use super::local_ray::LocalRay;
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
 use crate::lathe::segment::Segment;
+use crate::math::UNIT_ROUNDOFF;
 use crate::math::minmax::{greater, lesser};
 use crate::solve::Crossings;
 
@@ -20,27 +21,16 @@ pub(super) struct Chord<'a> {
 }
 
 impl<'a> Chord<'a> {
-    /// The chord between two of the path's t, unless all of it lies outside the segment's cylinder, and the ray where it
-    /// begins: if it is inside, it has left the solid there by less than rounding, and the crossing is still to be found.
+    /// The chord between two of the ray's t.
     ///
-    /// g is reckoned about the point nearest to the axis, where x² + y² is least, unless f and x² + y² are less
-    /// where the segment is narrowest, as they can be for a steep ray: so that by a pole or in a narrow neck
-    /// the coefficients are as small as the solid is there.
+    /// g is formed about the point nearest to the axis, where x² + y² is least, unless f and x² + y² are less where the segment
+    /// is narrowest, as they can be for a steep ray: so that by a pole or in a narrow neck the coefficients are as small as the
+    /// solid is there.
     #[inline(always)]
-    pub fn new(
-        path: &'a LocalRay,
-        segment: &'a Segment,
-        index: usize,
-        [from, to]: [f32; 2],
-        inside: bool,
-    ) -> Option<Self> {
+    pub fn new(path: &'a LocalRay, segment: &'a Segment, index: usize, [from, to]: [f32; 2]) -> Self {
         let mut origin = path.closest(from, to);
-        let square = path.around(origin).0;
-        if square > segment.reach && !inside {
-            return None;
-        }
         let mut g = path.g_about(segment, origin);
-        let f = g.c[0] + square;
+        let f = g.c[0] + path.around(origin).0;
         let narrow = lesser(to, greater(from, path.plane(segment.narrowest)));
         let square = path.around(narrow).0;
         if square - path.square < f {
@@ -49,18 +39,37 @@ impl<'a> Chord<'a> {
                 (origin, g) = (narrow, there);
             }
         }
-        Some(Self { path, segment, index, origin, g, from: from - origin, to: to - origin })
+        Self { path, segment, index, origin, g, from: from - origin, to: to - origin }
     }
 
-    /// Where g crosses zero along the chord, given the side that the ray begins on.
+    /// Where g crosses zero along the chord, given the sides that the ray is on where it begins and where it ends.
     #[inline(always)]
-    pub fn crossings(&self, inside: bool) -> Crossings<'_> {
-        Crossings::new(&self.g, self.from, self.to, inside)
+    pub fn crossings(&self, inside: bool, ends_inside: bool) -> Crossings<'_> {
+        Crossings::between(&self.g, [self.from, self.to], [inside, ends_inside])
     }
 
+    /// The hit at a root of g.
+    ///
+    /// Far from where g is formed it is known to a few units of 2⁻²⁴ of all its terms there; formed anew about the root it is
+    /// known to those of f and x² + y². Newton's steps take that in: one, or two, but where a segment comes to a point that is
+    /// blunt only from very near. There the root is all but double, and each step halves what is left.
     #[inline]
     pub fn hit(&self, s: f32, enters: bool) -> Hit {
-        let t = self.origin + s;
+        let (from, to) = (self.origin + self.from, self.origin + self.to);
+        let last = 4.0 * UNIT_ROUNDOFF * (to - from);
+        let mut t = self.origin + s;
+        for _ in 0..MOST_STEPS {
+            let [c0, c1, c2, _] = self.path.g_about(self.segment, t).c;
+            // Of g's parabola the root lies that way, and no nearer than half a step.
+            if !(4.0 * (c0 * c2).abs() < c1 * c1) {
+                break;
+            }
+            let step = c0 / c1;
+            t = lesser(to, greater(from, t - step));
+            if step.abs() <= last {
+                break;
+            }
+        }
         Hit {
             t: self.path.distance(t),
             segment: self.index,
@@ -70,3 +79,7 @@ impl<'a> Chord<'a> {
         }
     }
 }
+
+/// The root of a parabola that all but touches zero is half as far after each step: from 2⁻¹² of the chord, where a double root
+/// may be misplaced by the root of 2⁻²⁴, to 2⁻²⁴.
+const MOST_STEPS: u32 = 12;

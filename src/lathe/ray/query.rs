@@ -2,7 +2,7 @@
 
 use super::fast_path::Glance;
 use super::local_ray::LocalRay;
-use super::traverse::walk;
+use super::traverse::traverse;
 use crate::hit::Hit;
 use crate::lathe::{Lathe, Segment};
 use crate::math::minmax::greater;
@@ -40,7 +40,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
         }
         let mut hits = Vec::<Hit, C>::from_iter(nearest);
         let path = LocalRay::new(&self.frame, ray);
-        let _: Option<()> = walk::<S, _>(self.view(), &path, t_min, |hit| {
+        let _: Option<()> = traverse::<S, _>(self.view(), &path, t_min, |hit| {
             match hits.last() {
                 // The same crossing again.
                 Some(_) if nearest.is_some() && hits.len() == 1 && hit.enters => {}
@@ -87,7 +87,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[must_use]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         let path = LocalRay::new(&self.frame, ray);
-        walk::<S, _>(self.view(), &path, t_min, ControlFlow::Break)
+        traverse::<S, _>(self.view(), &path, t_min, ControlFlow::Break)
     }
 
     /// Whether there is any crossing beyond `t_min`: what a shadow asks. True where [`Lathe::nearest`] has a hit and where

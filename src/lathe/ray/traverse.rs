@@ -1,67 +1,98 @@
+//! The full traversal of one ray: segment by segment, whatever the ray.
+
 use super::chord::Chord;
 use super::is_beyond;
 use super::local_ray::LocalRay;
 use crate::hit::Hit;
 use crate::lathe::frame::{Frame, View};
-use crate::lathe::segment::Segment;
 use crate::math::Math;
 use crate::math::minmax::{greater, lesser};
 use crate::solve::Solver;
 use core::ops::ControlFlow;
 
-/// Two units in the last place, and two more.
-const ROUNDING: f32 = 1.0 / 4_194_304.0;
+/// How far the place nearest to the axis may be off, relative: it is a quotient of two sums of two products, four roundings of
+/// 2⁻²⁴.
+const NEAREST_ERROR: f32 = 1.0 / 4_194_304.0;
 
-/// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
-/// until told to stop.
+/// Where a ray may meet a lathe: from `from` to `to`, in the local ray's t.
+struct Interval {
+    from: f32,
+    to: f32,
+    /// Whether it begins, and ends, on the plane of an end of the profile.
+    starts_at_plane: bool,
+    ends_at_plane: bool,
+    /// Whether it begins on the bounding cylinder, where the ray is outside.
+    starts_outside: bool,
+}
+
+impl Interval {
+    /// Between the profile's ends, within the bounding cylinder, beyond `t_min`. `None` if that is empty or without end.
+    ///
+    /// A bound that does not exist (the plane of an end for a horizontal ray, the cylinder for a vertical one) is infinite, or
+    /// NaN, which `lesser` and `greater` pass over: neither ray is a special case.
+    #[inline(always)]
+    fn new<M: Math>(frame: &Frame, ray: &LocalRay, t_min: f32) -> Option<Self> {
+        if ray.square > frame.reach {
+            return None;
+        }
+        let half = M::sqrt((frame.reach - ray.square) / ray.q) + NEAREST_ERROR * ray.nearest.abs();
+        let (bottom, top) = ray.slab(frame.low, frame.high);
+        let first = t_min * ray.unit - ray.shift;
+        let inner = greater(first, bottom);
+        let from = greater(inner, ray.nearest - half);
+        let to = lesser(ray.nearest + half, top);
+        // Without end: the ray lies along an endless sheet, and g is the same all along it.
+        if !(from < to && (to - from).is_finite()) {
+            return None;
+        }
+        let starts_outside = from > inner;
+        let starts_at_plane = bottom > first && !starts_outside;
+        Some(Self { from, to, starts_at_plane, ends_at_plane: to == top, starts_outside })
+    }
+}
+
+/// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order, until `meet` breaks
+/// off. Returns what `meet` broke off with.
 ///
-/// A bound that does not exist (the plane of a slab for a horizontal ray, the cylinder for a vertical one)
-/// has an infinite t, or NaN, which `lesser` and `greater` pass over: neither ray is a special case.
+/// The state is which side of the surface the ray is on. On the plane between two segments their common radius decides it, for
+/// both: a crossing that one of them finds beyond its end, and the other before its beginning, is reported there.
 #[inline(always)]
-pub(super) fn walk<S: Solver, B>(
+pub(super) fn traverse<S: Solver, B>(
     lathe: View<'_>,
-    path: &LocalRay,
+    ray: &LocalRay,
     t_min: f32,
     mut meet: impl FnMut(Hit) -> ControlFlow<B>,
 ) -> Option<B> {
     let View { frame, segments } = lathe;
-    if path.square > frame.reach {
-        return None;
-    }
-    // Far up a needle that is wider by what rounding does to a place.
-    let half = S::Math::sqrt((frame.reach - path.square) / path.q) + ROUNDING * path.nearest.abs();
-    let up = path.rises();
-    let (bottom, top) = path.slab(frame.low, frame.high);
-    let first = t_min * path.unit - path.shift;
-    let inner = greater(first, bottom);
-    let enter = greater(inner, path.nearest - half);
-    let leave = lesser(path.nearest + half, top);
-    // Not finite: the ray lies along an endless sheet, and g is the same all along it.
-    if !(enter < leave && (leave - enter).is_finite()) {
-        return None;
-    }
-
-    let step = if up { 1 } else { usize::MAX };
-    let mut index = lathe.index_at(path.height(enter));
-
-    // A ray that comes in through the cylinder is outside. One that comes in through an end, or starts here,
-    // has g to tell.
-    let g = |segment: &Segment| path.g_about(segment, enter).c[0];
-    let mut inside = !(enter > inner) && segments.get(index).is_some_and(|segment| g(segment) > 0.0);
+    let interval = Interval::new::<S::Math>(frame, ray, t_min)?;
+    let up = ray.rises();
+    let (first, step) = if up { (0, 1) } else { (frame.len - 1, usize::MAX) };
+    let mut index = if interval.starts_at_plane { first } else { lathe.index_at(ray.height(interval.from)) };
+    let segment = segments.get(index)?;
+    let mut inside = if interval.starts_at_plane {
+        segment.end(!up) > ray.around(interval.from).0
+    } else {
+        !interval.starts_outside && ray.g_about(segment, interval.from).c[0] > 0.0
+    };
     if inside
-        && bottom > first
-        && let Some(hit) = cap(frame, path, enter, t_min, up, true)
+        && interval.starts_at_plane
+        && let Some(hit) = cap(frame, ray, interval.from, t_min, up, true)
         && let ControlFlow::Break(found) = meet(hit)
     {
         return Some(found);
     }
-    // Once one is beyond all that follow are, whatever rounding makes of their t.
+    // Once a crossing is beyond t_min all that follow are, however their t is rounded.
     let mut since = t_min;
-    let mut at = enter;
+    let mut at = interval.from;
     while let Some(segment) = segments.get(index) {
-        let end = lesser(leave, path.plane(if up { segment.high } else { segment.low }));
-        if let Some(chord) = Chord::new(path, segment, index, [at, end], inside) {
-            let mut crossings = chord.crossings(inside);
+        let plane = ray.plane(if up { segment.high } else { segment.low });
+        let end = lesser(interval.to, plane);
+        let is_near = ray.around(ray.closest(at, end)).0 <= segment.reach;
+        // A ray that is inside at the beginning of a chord that is not near has left the solid there, by less than rounding.
+        if is_near || inside {
+            let ends_inside = plane <= interval.to && segment.end(up) > ray.around(end).0;
+            let chord = Chord::new(ray, segment, index, [at, end]);
+            let mut crossings = chord.crossings(inside, ends_inside);
             while let Some(s) = crossings.next::<S>() {
                 inside = !inside;
                 let hit = chord.hit(s, inside);
@@ -74,14 +105,14 @@ pub(super) fn walk<S: Solver, B>(
             }
         }
         at = end;
-        if !(end < leave) {
+        if !(end < interval.to) {
             break;
         }
         index = index.wrapping_add(step);
     }
     if inside
-        && leave == top
-        && let Some(hit) = cap(frame, path, leave, since, !up, false)
+        && interval.ends_at_plane
+        && let Some(hit) = cap(frame, ray, interval.to, since, !up, false)
         && let ControlFlow::Break(found) = meet(hit)
     {
         return Some(found);
@@ -89,11 +120,11 @@ pub(super) fn walk<S: Solver, B>(
     None
 }
 
-/// The hit in the plane of an end, if part of the surface is there, beyond `t_min`.
+/// The hit of a cap on the plane of an end, if there is one, beyond `t_min`.
 #[inline(never)]
-fn cap(frame: &Frame, path: &LocalRay, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
+fn cap(frame: &Frame, ray: &LocalRay, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
     let (segment, u, part) =
         if low { (0, 0.0, frame.base.part) } else { (frame.len - 1, 1.0, frame.top.part) };
-    let hit = Hit { t: path.distance(t), segment, u, enters, part: part? };
+    let hit = Hit { t: ray.distance(t), segment, u, enters, part: part? };
     is_beyond(hit.t, t_min).then_some(hit)
 }

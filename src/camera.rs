@@ -1,4 +1,4 @@
-//! From pixels to rays.
+//! A camera: it turns the columns and rows of a picture into rays.
 
 use crate::ray::Ray;
 use crate::scene_error::SceneError;
@@ -21,33 +21,32 @@ pub struct Camera {
     pub(crate) eye: F32x3,
     /// The unit vector of the view.
     pub(crate) forward: F32x3,
-    /// From the picture's centre to the middle of its right edge.
+    /// The vector from the picture's middle to the middle of its right edge.
     pub(crate) right: F32x3,
-    /// As long, upwards.
+    /// The vector upwards from the picture's middle, as long as `right`.
     pub(crate) up: F32x3,
     pub(crate) projection: Projection,
-    /// Rays have their origins rounded one by one, as numbers of this size are: nothing, if they have one in common.
-    pub(crate) rough: f32,
 }
 
 /// How a camera's rays run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) enum Projection {
-    /// From the eye.
+    /// All rays start at the eye.
     Perspective,
-    /// Side by side.
+    /// The rays are parallel, and start in the plane of the eye.
     Orthographic,
 }
 
 impl Camera {
-    /// Rays from `eye`; `half_width` is that of the picture at unit distance, the tangent of half the angle
-    /// of view, which 30 makes 176°.
+    /// A camera whose rays start at `eye`. The half-width is that of the picture at unit distance: the
+    /// tangent of half the angle of view.
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if the eye is where it looks at, `up` is zero or along the view, the half-width not
-    /// between 10⁻⁶ and 30, or a number not finite.
+    /// [`SceneError`] if the eye is where it looks at, if `up` is zero or along the view, if a number is
+    /// infinite or NaN, or if the half-width is below 10⁻⁶, where f32's steps beside 1 are a sixteenth of it,
+    /// or above 30, which is an angle of view of 176°.
     pub const fn perspective(
         eye: [f32; 3],
         look_at: [f32; 3],
@@ -57,12 +56,13 @@ impl Camera {
         Self::new([eye, look_at, up], half_width, [1e-6, 30.0], Projection::Perspective)
     }
 
-    /// Parallel rays; `half_width` is that of the picture, in the world's unit. What is behind the eye's
-    /// plane is not seen.
+    /// A camera with parallel rays. The half-width is that of the picture, in the world's unit of length.
+    /// What lies behind the plane through the eye is not seen.
     ///
     /// # Errors
     ///
-    /// As [`Camera::perspective`], but the half-width may be from 10⁻¹⁵ to 10¹⁵.
+    /// As [`Camera::perspective`], but the half-width may be from 10⁻¹⁵ to 10¹⁵, as the largest radius of a
+    /// profile may.
     pub const fn orthographic(
         eye: [f32; 3],
         look_at: [f32; 3],
@@ -89,7 +89,9 @@ impl Camera {
             return Err(along);
         };
         let right = cross(forward, up);
-        // Two unit vectors: what is left of a parallel pair is rounding.
+        // The sine of the angle between view and up direction must be more than 10⁻⁶. Of a parallel pair
+        // rounding leaves 6.5·2⁻²⁴ = 4·10⁻⁷ at most: 2⁻²⁴ each from the difference and from making both unit
+        // vectors, 2·√3·2⁻²⁴ from the cross product.
         if !(dot(right, right) > 1e-12) {
             return Err(along);
         }
@@ -97,18 +99,12 @@ impl Camera {
             return Err(along);
         };
         let eye = vector(eye);
-        // In a picture as much as three times as high as wide.
-        let rough = match projection {
-            Projection::Perspective => 0.0,
-            Projection::Orthographic => one_norm(eye) + 6.0 * half_width,
-        };
         Ok(Self {
             eye,
             forward,
             right: scale(right, half_width),
             up: scale(cross(right, forward), half_width),
             projection,
-            rough,
         })
     }
 
@@ -124,21 +120,23 @@ impl Camera {
         array(self.forward)
     }
 
-    /// From the middle of the picture to the middle of its right edge: as long as the half-width, at a right angle to the
-    /// view. A perspective camera's picture is at unit distance from the eye.
+    /// From the middle of the picture to the middle of its right edge: as long as the half-width, at a right
+    /// angle to the view. A perspective camera's picture is at unit distance from the eye.
     #[must_use]
     pub const fn right(&self) -> [f32; 3] {
         array(self.right)
     }
 
-    /// From the middle of the picture upwards, as long as [`right`](Self::right) and at a right angle to it and to the view.
+    /// From the middle of the picture upwards, as long as [`right`](Self::right) and at a right angle to it
+    /// and to the view.
     #[must_use]
     pub const fn up(&self) -> [f32; 3] {
         array(self.up)
     }
 
-    /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels; x and y may lie
-    /// outside of it. A picture that is no pixel wide has no pixels: any x and y give the ray through its middle.
+    /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels;
+    /// x and y may lie outside of it. A picture that is no pixel wide has no pixels: any x and y give the ray
+    /// through its middle.
     ///
     /// Its t counts in units of the world's along the view: in perspective it is the depth.
     #[must_use]
@@ -146,7 +144,7 @@ impl Camera {
         self.ray_through([x as f32, y as f32], width, height)
     }
 
-    /// As [`Camera::ray`], for a pixel in the given column and row.
+    /// As [`Camera::ray`], for a column and a row that need not be whole or positive.
     #[inline(always)]
     pub(crate) fn ray_through(&self, [x, y]: [f32; 2], width: u32, height: u32) -> Ray {
         // Over infinity, all distances from the picture's middle are zero.
@@ -162,7 +160,7 @@ impl Camera {
     }
 }
 
-/// A row of a picture, as the camera sees it.
+/// A row of a picture, and the camera that sees it.
 #[derive(Clone, Copy)]
 pub(crate) struct Row<'a> {
     pub camera: &'a Camera,
@@ -177,7 +175,22 @@ impl Row<'_> {
         self.camera.ray(i, self.y, self.width, self.height)
     }
 
-    /// By how much the next pixel's ray differs: its direction, or, if they run side by side, its origin.
+    /// A bound on the coordinates, added up, of the origins of the row's rays, if each has an origin of its
+    /// own, which is then rounded by itself: the eye's, and the offset of a pixel in the row. Zero if all
+    /// rays share the eye.
+    pub fn rough(&self) -> f32 {
+        let Camera { eye, right, up, projection, .. } = self.camera;
+        match projection {
+            Projection::Perspective => 0.0,
+            Projection::Orthographic => {
+                let down = (2.0 * self.y as f32 + 1.0 - self.height as f32) / self.width as f32;
+                one_norm(*eye) + one_norm(*right) + one_norm(*up) * down.abs()
+            }
+        }
+    }
+
+    /// The difference between the rays of neighbouring pixels: of their directions in perspective, else of
+    /// their origins.
     pub fn step(&self) -> (F32x3, Projection) {
         (self.camera.right * (2.0 / self.width as f32), self.camera.projection)
     }

@@ -1,9 +1,9 @@
-//! Colors as the renderer reckons with them.
+//! Colors as the renderer computes with them, and the colors of displays that it computes them for.
 
 use crate::math::minmax::lesser;
 
-/// A color as a display shows it: red, green and blue from 0 to 1. Light scales it; nothing is
-/// gamma-corrected.
+/// A color as a display shows it: red, green and blue from 0 to 1. Light scales the three channels; no gamma
+/// correction is applied.
 ///
 /// ```
 /// use embedded_lathe::Rgb;
@@ -23,38 +23,39 @@ pub struct Rgb {
 }
 
 impl Rgb {
-    /// No light.
+    /// Black.
     pub const BLACK: Self = Self::new(0.0, 0.0, 0.0);
-    /// All of it.
+    /// White.
     pub const WHITE: Self = Self::new(1.0, 1.0, 1.0);
 
-    /// From shares, 0 to 1. What lies outside is cut off where it is painted, and NaN is painted black.
+    /// A color of three channels from 0 to 1. When it is painted a channel below 0 or NaN counts as 0, and
+    /// one above 1 as 1.
     #[must_use]
     pub const fn new(r: f32, g: f32, b: f32) -> Self {
         Self { r, g, b }
     }
 
-    /// From bytes, 0 to 255.
+    /// A color of three channels from 0 to 255.
     #[must_use]
     pub const fn from_u8(r: u8, g: u8, b: u8) -> Self {
         Self::new(r as f32 / 255.0, g as f32 / 255.0, b as f32 / 255.0)
     }
 
-    /// A gray.
+    /// A gray, from black at 0 to white at 1.
     #[must_use]
     pub const fn gray(share: f32) -> Self {
         Self::new(share, share, share)
     }
 
-    /// In shades, of which there are `most`. What lies outside 0 to 1 is cut off, and nothing is in place of what
-    /// is not a number.
+    /// This color in shades, of which each channel has as many as `most` says. A channel below 0 or NaN
+    /// becomes 0, and one above 1 becomes all of its shades.
     #[inline(never)]
     pub(crate) fn shades(self, most: Self) -> Shades {
         let cut = |share: f32, most: f32| lesser(share, 1.0) * most;
         Shades::of(Self::new(cut(self.r, most.r), cut(self.g, most.g), cut(self.b, most.b)))
     }
 
-    /// From this color, at 0, to another, at 1.
+    /// Mixes this color with another: `share` 0 gives this one, 1 the other.
     pub(crate) const fn towards(self, other: Self, share: f32) -> Self {
         Self {
             r: self.r + share * (other.r - self.r),
@@ -64,8 +65,8 @@ impl Rgb {
     }
 }
 
-/// A color in the shades of a display, as [`Paint::shade`] gets it: red, green and blue in fixed point, in units of 2⁻²³ of
-/// one shade, so that light is cast on it by three integer multiplications.
+/// A color in the shades of a display, as [`Paint::shade`] gets it: red, green and blue in fixed point, in
+/// units of 2⁻²³ of one shade, so that light is cast on it by three integer multiplications.
 ///
 /// ```
 /// use embedded_lathe::{Paint, Rgb, Shades};
@@ -87,8 +88,8 @@ impl Rgb {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shades {
-    // What `Paint::shade` gets carries half a shade more in each channel, a rounding bias: its whole part is the nearest
-    // shade. All channels stay below 256 shades with it, so that no sum overflows.
+    // What `Paint::shade` gets carries half a shade more in each channel, a rounding bias: its whole part is
+    // the nearest shade. All channels stay below 256 shades with it, so that no sum overflows.
     pub(crate) r: u32,
     pub(crate) g: u32,
     pub(crate) b: u32,
@@ -105,7 +106,8 @@ impl Shades {
         [nearest(self.r), nearest(self.g), nearest(self.b)]
     }
 
-    /// Red, green and blue in units of which [`Shades::ONE`] make a shade: what a display of few shades dithers.
+    /// Red, green and blue in units of which [`Shades::ONE`] make a shade: what a display of few shades
+    /// dithers.
     #[must_use]
     #[inline]
     pub const fn units(self) -> [u32; 3] {
@@ -113,20 +115,20 @@ impl Shades {
         [self.r.saturating_sub(HALF), self.g.saturating_sub(HALF), self.b.saturating_sub(HALF)]
     }
 
-    /// As many as given, each less than 256.
+    /// Shades in fixed point, from as many as a color says; each channel must be below 256.
     pub(crate) const fn of(shades: Rgb) -> Self {
         const ONE: f32 = Shades::ONE as f32;
         Self { r: (shades.r * ONE) as u32, g: (shades.g * ONE) as u32, b: (shades.b * ONE) as u32 }
     }
 
-    /// That share of them.
+    /// These shades times a share of light.
     #[inline(always)]
     pub(crate) fn dimmed(self, Share(share): Share) -> Self {
         let part = |shade: u32| ((u64::from(shade) * u64::from(share)) >> 32) as u32;
         Self { r: part(self.r), g: part(self.g), b: part(self.b) }
     }
 
-    /// With others added. The sum must be less than 256.
+    /// The sum of these shades and others. It must be below 256 in each channel.
     #[inline(always)]
     pub(crate) const fn with(self, other: Self) -> Self {
         Self {
@@ -136,13 +138,13 @@ impl Shades {
         }
     }
 
-    /// With half a shade more.
+    /// These shades with the rounding bias of half a shade, as [`Paint::shade`] gets them.
     #[inline(always)]
     pub(crate) const fn rounded(self) -> Self {
         self.with(Self { r: Self::ONE / 2, g: Self::ONE / 2, b: Self::ONE / 2 })
     }
 
-    /// With others, no more than these, taken off.
+    /// The difference of these shades and others, which must not be more.
     pub(crate) const fn without(self, other: Self) -> Self {
         Self {
             r: self.r.wrapping_sub(other.r),
@@ -151,7 +153,7 @@ impl Shades {
         }
     }
 
-    /// With others added, each channel as far as `most`.
+    /// The sum of these shades and others, each channel limited to that of `most`.
     pub(crate) fn with_up_to(self, other: Self, most: Self) -> Self {
         Self {
             r: self.r.wrapping_add(other.r).min(most.r),
@@ -161,20 +163,22 @@ impl Shades {
     }
 }
 
-/// A number from 0 to 1, in units of 2⁻³².
+/// A number from 0 to 1 in fixed point, in units of 2⁻³². 1 itself is 2³² − 1 units.
 #[derive(Clone, Copy)]
 pub(crate) struct Share(u32);
 
 impl Share {
+    /// How many units 1 has.
     pub const UNITS: f32 = 4_294_967_296.0;
 
-    /// So many units. What is below 0, or not a number, becomes 0, and what is above 1 becomes 1: so numbers are
-    /// converted.
+    /// A number of units. The conversion to an integer saturates: below 0 and NaN it gives 0, above 1 it
+    /// gives 1.
     #[inline(always)]
     pub const fn new(units: f32) -> Self {
         Self(units as u32)
     }
 
+    /// A number from 0 to 1. Outside it saturates as [`Share::new`] does.
     pub const fn of_one(x: f32) -> Self {
         Self::new(x * Self::UNITS)
     }
@@ -195,8 +199,8 @@ impl Share {
 /// assert_eq!(on.count(), 13);
 /// ```
 pub trait Paint: Copy {
-    /// How many shades above black red, green and blue have: what a share of 1 is in shades. Each is from 0 to 255; a color
-    /// that is painted with more, or with fewer than none, does not compile.
+    /// How many shades above black red, green and blue have: what a share of 1 is in shades. Each is from 0
+    /// to 255; a color that is painted with more, or with fewer than none, does not compile.
     ///
     /// ```compile_fail
     /// use embedded_lathe::{Paint, Rgb, Shades};
@@ -255,7 +259,7 @@ pub(crate) const fn nearest(biased: u32) -> u8 {
     (biased / Shades::ONE) as u8
 }
 
-/// What is seen where no solid is.
+/// The background of a scene: what a pixel shows where no solid is.
 ///
 /// ```
 /// use embedded_lathe::{Background, Rgb};
@@ -287,7 +291,7 @@ impl Background {
     /// Black.
     pub const BLACK: Self = Self::Plain(Rgb::BLACK);
 
-    /// The color of a row, of so many.
+    /// The color of row y of a picture that has `rows` of them.
     #[inline(always)]
     pub(crate) fn row(&self, y: u32, rows: u32) -> Rgb {
         match *self {

@@ -1,4 +1,4 @@
-//! Onto a display: the one place that names embedded-graphics' drawing traits.
+//! Drawing onto displays: the only module that uses the drawing traits of embedded-graphics.
 
 mod dither;
 mod paint;
@@ -45,10 +45,10 @@ impl<'a> Scene<'a> {
     }
 
     /// Draws the scene over the whole display, in one [`fill_contiguous`](DrawTarget::fill_contiguous) over
-    /// pixels that are reckoned as the display takes them, a few at a time. No framebuffer is needed.
+    /// pixels that are computed as the display takes them, a few at a time. No framebuffer is needed.
     ///
-    /// Where there is memory for a row, [`Scene::draw_by_rows`] costs less, for a lone solid less than half. A display of 2³²
-    /// pixels and more is left as it is.
+    /// Where there is memory for a row, [`Scene::draw_by_rows`] costs less, for a single solid less than
+    /// half. On a display of 2³² pixels or more it draws no pixel.
     ///
     /// # Errors
     ///
@@ -60,8 +60,9 @@ impl<'a> Scene<'a> {
         self.draw_through(display, &mut blank())
     }
 
-    /// The same, but through the caller's memory: as many pixels are reckoned at a time as there is room for, up to a
-    /// row. Neighbours share what they can, so the longer the cheaper. Without any room it is [`Scene::draw`].
+    /// Draws the scene as [`Scene::draw`] does, but through memory that the caller lends: as many pixels are
+    /// computed at a time as `row` has, up to a whole row. Neighbouring pixels share computations, so a
+    /// longer slice costs less. With an empty one it is [`Scene::draw`].
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -112,7 +113,7 @@ fn blank<C: Paint>() -> [C; RUN] {
 }
 
 impl<'a> Picture<'a> {
-    /// The picture in colors C, for embedded-graphics' `Image`.
+    /// The picture in colors C, for the `Image` of embedded-graphics.
     ///
     /// ```
     /// use embedded_graphics::{image::Image, mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
@@ -136,7 +137,7 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// A [`Picture`] in a display's colors: an [`ImageDrawable`].
+/// A [`Picture`] in the colors of a display: an [`ImageDrawable`].
 ///
 /// Made by [`Picture::image`], where there is an example.
 #[derive(Clone, Copy, Debug)]

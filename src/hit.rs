@@ -1,9 +1,9 @@
-//! Where a ray meets a solid: numbers only.
+//! A crossing of a ray and a surface: where it is along the ray and on the profile.
 
 /// A crossing of a ray and the surface of a solid.
 ///
-/// What is seen of it (the point, the normal) is [`Lathe::surface`](crate::Lathe::surface)'s to say: most
-/// hits are not seen.
+/// Its point and its normal are computed by [`Lathe::surface`](crate::Lathe::surface), when they are needed:
+/// most crossings are not visible.
 ///
 /// ```
 /// use embedded_lathe::{Lathe, Part, Profile, Ray, valid};
@@ -18,15 +18,15 @@
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Hit {
-    /// The distance along the ray, in units of its direction.
+    /// The ray's parameter at the crossing: the distance, in lengths of the ray's direction.
     pub t: f32,
     /// The profile's segment, from 0 at the base.
     pub segment: usize,
     /// The profile's parameter in the segment, from 0 at its lower knot to 1 at its upper.
     pub u: f32,
-    /// Whether the ray enters the solid here, or leaves it.
+    /// Whether the ray enters the solid here. If not it leaves it.
     pub enters: bool,
-    /// Which part of the surface it is.
+    /// The part of the surface that is crossed.
     pub part: Part,
 }
 
@@ -44,7 +44,7 @@ pub struct Hit {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Part {
-    /// What the profile sweeps.
+    /// The wall: the surface that the profile sweeps out.
     Wall,
     /// The cap at the lower end.
     Base,

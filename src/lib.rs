@@ -54,6 +54,14 @@
 //! | [`Picture`] | a scene, a size | rows of pixels, one at a time |
 //! | [`Scene::draw`], [`PictureImage`] | a scene | a `DrawTarget` of embedded-graphics |
 //!
+//! # How it is called
+//!
+//! All names are in the crate's root, so that `use embedded_lathe::*` serves as a prelude, beside that of
+//! embedded-graphics, too. Vectors are arrays, `[x, y, z]`, given and returned. Constructors that check their
+//! numbers return a `Result`; [`valid!`] makes its error one of the compiler. Methods that change a value return
+//! the new one. What may grow in later versions (errors, [`Scene`], [`Hit`], [`Surface`], [`Part`], [`End`],
+//! [`Background`]) is `#[non_exhaustive]`.
+//!
 //! # Letters
 //!
 //! One meaning each: u the profile's parameter in its segment, 0 to 1; s and t distances along a ray; r

@@ -3,11 +3,13 @@
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, array, unit, vector};
 
-/// A light from far away, and a share that reaches everywhere. Nothing casts a shadow: the light falls on all that faces it.
+/// A light from far away, and an ambient share that reaches everywhere. Solids cast no shadow: the light
+/// falls on all that faces it.
 ///
-/// The share of a surface's color that is seen is Lambert's, `ambient + (1 − ambient)·max(0, n·l)`. A shiny
-/// surface adds white where light falls on it, half of Phong's `max(0, r·v)ˢ`: r is the light's direction mirrored at
-/// the surface, v the direction to the eye, s the shininess.
+/// A surface shows the share `ambient + (1 − ambient)·max(0, n·l)` of its color (Lambert's law), n its unit
+/// normal and l the unit vector towards the light. A shiny surface adds white where light falls on it, half
+/// of Phong's `max(0, r·v)ˢ`: r is l mirrored by the surface, v the unit vector towards the eye, s the
+/// shininess.
 ///
 /// ```
 /// use embedded_lathe::{Light, valid};
@@ -21,11 +23,12 @@ pub struct Light {
 }
 
 impl Light {
-    /// A light that shines from `towards`, of any length, and the share of light that is ambient, 0 to 1.
+    /// A light and its ambient share, 0 to 1. The vector `towards` points to where the light comes from; its
+    /// length does not matter.
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if the direction is zero or not finite, or the share not in [0, 1].
+    /// [`SceneError`] if the direction is zero, infinite or NaN, or if the share is outside 0 to 1 or NaN.
     pub const fn new(towards: [f32; 3], ambient: f32) -> Result<Self, SceneError> {
         if !(ambient >= 0.0 && ambient <= 1.0) {
             return Err(SceneError::Ambient { ambient });
@@ -48,13 +51,14 @@ impl Light {
         self.ambient
     }
 
-    /// The share of white that a shiny surface adds, given r·v, and n·l of any length.
+    /// The share of white that a shiny surface adds, given `mirrored`, which is r·v, and a number `nl` with
+    /// the sign of n·l.
     pub(crate) fn highlight(shininess: u8, nl: f32, mirrored: f32) -> f32 {
         if nl > 0.0 && mirrored > 0.0 { 0.5 * power(mirrored, shininess) } else { 0.0 }
     }
 }
 
-/// x to a whole power, by squaring.
+/// x to a whole power, by repeated squaring.
 fn power(mut x: f32, mut exponent: u8) -> f32 {
     let mut product = 1.0;
     while exponent > 0 {

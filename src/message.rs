@@ -14,8 +14,8 @@ pub(crate) enum Piece {
     Vector([f32; 3]),
 }
 
-/// The pieces of a message, in order. Two messages are equal if all their pieces are: numbers by their bits, so that a NaN
-/// equals itself.
+/// The pieces of a message, in order. Two messages are equal if all their pieces are: numbers by their bits,
+/// so that a NaN equals itself.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Message([Piece; 6]);
 
@@ -142,7 +142,8 @@ impl Text {
     }
 }
 
-/// Gives an error with `const fn message(self) -> Message` all that follows from what it says.
+/// Implements for an error that has `const fn message(self) -> Message` all traits that follow from its
+/// message.
 macro_rules! says {
     ($error:ty) => {
         impl $error {

@@ -26,15 +26,16 @@ impl Default for Pose {
 }
 
 impl Pose {
-    /// Where the solid's own space is: its axis along z.
+    /// The pose that leaves a solid in its own space: its axis along z.
     pub const IDENTITY: Self = Self { position: vector([0.0; 3]), rotation: Rotation::IDENTITY, scale: 1.0 };
 
-    /// A pose.
+    /// A pose: where the origin of the solid's own space is put, how the solid is turned about it, and how
+    /// many times as large it becomes.
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if a coordinate is not finite, the rotation by an angle that is none, or the scale not between 10⁻³⁰
-    /// and 10³⁰.
+    /// [`SceneError`] if a coordinate is infinite or NaN, if the rotation's angle was larger than 10 000 or
+    /// NaN, or if the scale is outside 10⁻³⁰ to 10³⁰, where its inverse is a normal number, too.
     pub const fn new(position: [f32; 3], rotation: Rotation, scale: f32) -> Result<Self, SceneError> {
         if !finite(vector(position)) {
             return Err(SceneError::Position { position });
@@ -66,7 +67,7 @@ impl Pose {
         self.scale
     }
 
-    /// A point of the world in object space.
+    /// Converts a point of the world to the solid's own space.
     #[inline]
     pub(crate) fn point_into(&self, world: F32x3) -> F32x3 {
         self.rotation.back(world - self.position) * (1.0 / self.scale)
@@ -89,10 +90,13 @@ impl defmt::Format for Pose {
     }
 }
 
-/// A rotation about the origin, right-handed, angles in radians and no larger than 10 000: of a larger one f32 knows too
-/// little, and [`Pose::new`] and [`Rotation::about`] say so.
+/// A right-handed rotation about the origin, by an angle in radians.
 ///
-/// All its constructors are `const`, and use the same arithmetic wherever they run.
+/// The angle may be up to 10 000: there f32's steps are 0.001, and of larger angles too little is known.
+/// [`Rotation::about`] returns an error for a larger one; the constructors that cannot, make a rotation that
+/// [`Pose::new`] refuses.
+///
+/// All constructors are `const`, and compute the same bits at compile time and at run time.
 ///
 /// ```
 /// use embedded_lathe::Rotation;
@@ -144,8 +148,8 @@ impl Rotation {
     ///
     /// # Errors
     ///
-    /// [`SceneError::RotationAxis`] if the axis is zero or not finite, [`SceneError::RotationAngle`] if the angle is larger than
-    /// 10 000 or NaN.
+    /// [`SceneError::RotationAxis`] if the axis is zero or not finite, [`SceneError::RotationAngle`] if the
+    /// angle is larger than 10 000 or NaN.
     pub const fn about(axis: [f32; 3], angle: f32) -> Result<Self, SceneError> {
         let (s, c) = sin_cos(angle);
         if !s.is_finite() {
@@ -164,7 +168,7 @@ impl Rotation {
         })
     }
 
-    /// This rotation, then another.
+    /// The rotation that does this one first, and then another.
     #[must_use]
     pub const fn then(self, next: Self) -> Self {
         let [a, b, c] = self.rows;
@@ -173,7 +177,7 @@ impl Rotation {
         Self { rows: [times(p, columns), times(q, columns), times(r, columns)] }
     }
 
-    /// The vector, turned.
+    /// Turns a vector.
     #[must_use]
     pub const fn apply(&self, v: [f32; 3]) -> [f32; 3] {
         array(self.turn(vector(v)))
@@ -184,13 +188,13 @@ impl Rotation {
         times(v, self.rows)
     }
 
-    /// The z axis, turned.
+    /// The z axis, turned by this rotation.
     pub(crate) const fn axis(&self) -> F32x3 {
         let [a, b, c] = self.rows;
         vector([a.z, b.z, c.z])
     }
 
-    /// The vector, turned back.
+    /// Turns a vector back, by the inverse of this rotation.
     pub(crate) const fn back(&self, v: F32x3) -> F32x3 {
         let [a, b, c] = self.rows;
         let (a, b, c) = (scale(a, v.x), scale(b, v.y), scale(c, v.z));
@@ -203,7 +207,7 @@ impl Rotation {
     }
 }
 
-/// The products of a vector with each of three.
+/// The dot products of a vector with each of three others.
 const fn times(v: F32x3, [a, b, c]: [F32x3; 3]) -> F32x3 {
     vector([dot(v, a), dot(v, b), dot(v, c)])
 }

@@ -1,4 +1,4 @@
-//! The outline that is turned: squared radius over height, checked at the door.
+//! The outline that is turned: squared radius over height, checked when it is made.
 
 mod error;
 mod extremes;
@@ -19,11 +19,11 @@ pub(crate) struct Span {
     pub b: [f32; 4],
     /// The largest squared radius in the piece.
     pub largest: f32,
-    /// The u at which it is least.
+    /// The u at which the squared radius is least.
     pub narrowest: f32,
 }
 
-/// What a profile does at one of its ends.
+/// The kind of an end of a profile.
 ///
 /// ```
 /// use embedded_lathe::{End, Profile};
@@ -35,7 +35,7 @@ pub(crate) struct Span {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum End {
-    /// The wall stops there: one can see in, and what one sees is the inside of the wall.
+    /// The wall stops there. Through the opening the inside of the wall is seen.
     Open,
     /// A flat disc closes it.
     Capped,
@@ -56,18 +56,18 @@ pub enum End {
 ///    └──────────────── r²
 /// ```
 ///
-/// Cylinders, cones, spheres, paraboloids and hyperboloids are exact; so is everything between them.
+/// Cylinders, cones, spheres, paraboloids and hyperboloids are represented exactly.
 ///
-/// From a drawing: a segment h high, with radius r₀ below and r₁ above, and there with slopes r₀′ and r₁′ (of radius over
-/// height), has
+/// To read a segment off a drawing, take its height h, the radii r₀ at its lower and r₁ at its upper end, and
+/// the slopes r₀′ and r₁′ of the radius over the height there. Its ordinates are
 ///
 /// ```text
 /// b₀ = r₀²     b₁ = r₀² + ⅔·h·r₀·r₀′     b₂ = r₁² − ⅔·h·r₁·r₁′     b₃ = r₁²
 /// ```
 ///
-/// which a straight line with r₀′ = r₁′ = (r₁ − r₀)/h makes a cone, and a circle about the axis' point of height c, with
-/// r·r′ = c − z, a sphere. Two segments join smoothly if r and r′ are the same on either side:
-/// (b₃ − b₂)/h below is (b₄ − b₃)/h above; elsewhere there is an edge.
+/// A straight line, r₀′ = r₁′ = (r₁ − r₀)/h, makes a cone. A circle whose middle is on the axis at height c,
+/// where r·r′ = c − z, makes a sphere. Two segments join smoothly if r and r′ are the same on both sides,
+/// that is, if (b₃ − b₂)/h of the lower one is (b₄ − b₃)/h of the upper one; otherwise there is an edge.
 ///
 /// ```
 /// use embedded_lathe::{End, Profile};
@@ -89,22 +89,24 @@ pub struct Profile<const N: usize> {
     pub(crate) top: End,
 }
 
-/// How many times the largest radius a profile may be high, and a segment of it low: cubes of these are still
-/// numbers.
+/// A profile may be this many times as high as its largest radius, and each segment must be at least as high
+/// as the radius divided by it: the cube, 10³⁰, and its inverse are normal numbers.
 const MOST: f32 = 1e10;
 
 impl<const N: usize> Profile<N> {
-    /// A round profile, open at both ends, from its knots (heights, n + 1 of them, increasing) and ordinates
-    /// (squared radii, 3·n + 1 of them: Bézier control values, the joins' shared), in one unit of length and
-    /// its square. n may be anything from 1 to N.
+    /// A round profile of n segments, open at both ends; n is from 1 to N.
     ///
-    /// Cost: about 100 operations a segment, once; none at run time in a `const`.
+    /// The knots are n + 1 increasing heights. The ordinates are 3·n + 1 *squared* radii, the Bézier control
+    /// values of the segments one after another, where neighbours share the one at their join. A radius of
+    /// 0.3 is an ordinate of 0.09.
+    ///
+    /// It costs about 100 operations a segment; in a `const` the compiler does them.
     ///
     /// # Errors
     ///
     /// [`ProfileError`], which names the knot, the ordinate or the segment at fault. A squared radius may
-    /// touch zero but not pass below it, by more than the rounding of its own evaluation, 8 units of 2⁻²⁴ of
-    /// the segment's largest ordinate.
+    /// touch zero, and pass below it by the rounding of its own evaluation: 8 units of 2⁻²⁴ of the segment's
+    /// largest ordinate.
     pub const fn from_squared_radii(knots: &[f32], ordinates: &[f32]) -> Result<Self, ProfileError> {
         if knots.len() < 2 {
             return Err(ProfileError::NoSegments { knots: knots.len() });
@@ -167,12 +169,12 @@ impl<const N: usize> Profile<N> {
         Ok(Self { spans, len, squash: 1.0, base: End::Open, top: End::Open })
     }
 
-    /// Stretched along x: `k·x² + y²` instead of `x² + y²`. One is round, between is elliptic (the half-axis
-    /// along x is r/√k), zero a sheet without end along x.
+    /// This profile stretched along x: `k·x² + y²` takes the place of `x² + y²`. With k = 1 it is round,
+    /// between 0 and 1 elliptic with the half-axis r/√k along x, with k = 0 a sheet that is endless along x.
     ///
     /// # Errors
     ///
-    /// [`ProfileError::Squash`] unless 0 ≤ k ≤ 1.
+    /// [`ProfileError::Squash`] if k is outside 0 to 1, or NaN.
     pub const fn squash(self, k: f32) -> Result<Self, ProfileError> {
         if !(k >= 0.0 && k <= 1.0) {
             return Err(ProfileError::Squash { squash: k });
@@ -180,19 +182,30 @@ impl<const N: usize> Profile<N> {
         Ok(Self { squash: k, ..self })
     }
 
-    /// What the lower end does.
+    /// This profile with another lower end.
+    ///
+    /// As all such methods it changes nothing, but returns a new value, which must be used:
+    ///
+    /// ```compile_fail
+    /// #![deny(unused_must_use)]
+    /// use embedded_lathe::{End, Profile};
+    ///
+    /// let profile = Profile::cylinder(1.0, 2.0)?;
+    /// profile.base(End::Open); // error: unused return value of `Profile::<N>::base` that must be used
+    /// # Ok::<(), embedded_lathe::ProfileError>(())
+    /// ```
     #[must_use]
     pub const fn base(self, base: End) -> Self {
         Self { base, ..self }
     }
 
-    /// What the upper end does.
+    /// This profile with another upper end.
     #[must_use]
     pub const fn top(self, top: End) -> Self {
         Self { top, ..self }
     }
 
-    /// A flat cap at both ends.
+    /// This profile with a flat cap at both ends.
     #[must_use]
     pub const fn closed(self) -> Self {
         self.base(End::Capped).top(End::Capped)
@@ -216,8 +229,8 @@ impl<const N: usize> Profile<N> {
         heights
     }
 
-    /// The largest radius, between the knots or at one: the true one or up to 6·10⁻⁷ of it more. Along x a squashed profile
-    /// reaches farther, to that over √k.
+    /// The largest radius, between the knots or at one: the true one or up to 6·10⁻⁷ of it more. Along x a
+    /// squashed profile reaches farther, to that over √k.
     #[must_use]
     pub const fn largest_radius(&self) -> f32 {
         const_fn::sqrt(self.largest())

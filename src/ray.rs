@@ -1,12 +1,12 @@
-//! A ray, checked at the door.
+//! A ray, whose numbers are checked when it is made.
 
 use crate::math::minmax::{greater, lesser};
 use crate::message::Piece::{Text, Vector};
 use crate::message::{Message, says};
 use crate::vector::{F32x3, array, finite, saturated, scale, to_one, vector};
 
-/// The points `origin + t·direction`. The direction need not be a unit vector: t counts in units of the one
-/// given.
+/// The points `origin + t·direction`. The direction need not be a unit vector: t is measured in lengths of
+/// it.
 ///
 /// ```
 /// use embedded_lathe::{Ray, RayError};
@@ -19,11 +19,11 @@ use crate::vector::{F32x3, array, finite, saturated, scale, to_one, vector};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     pub(crate) origin: F32x3,
-    /// The direction given, over `unit`: its largest component lies in [1, 4). A camera's is taken as it comes: no shorter than
-    /// 1, and no longer than 43 in a picture that is no taller than wide.
+    /// The direction given, divided by `unit`, so that its largest component is in [1, 4). A camera's rays
+    /// keep theirs as it is: from 1 to 1 + 30·√(1 + (height/width)²) long, 30 the largest half-width.
     pub(crate) direction: F32x3,
-    /// A distance t in units of the direction given is t·unit in units of `direction`: a power of two, over the scale of the
-    /// solid in whose space the ray is.
+    /// The length of the direction given over that of `direction`: a power of two, divided by the scale of
+    /// the solid in whose space the ray is. The parameter t of the ray is t·unit along `direction`.
     pub(crate) unit: f32,
 }
 
@@ -47,22 +47,22 @@ impl Ray {
         }
     }
 
-    /// Where the ray begins.
+    /// The point where the ray starts.
     #[must_use]
     pub const fn origin(&self) -> [f32; 3] {
         array(self.origin)
     }
 
-    /// The direction, as long as it was given: t counts in units of it.
+    /// The direction, as long as it was given.
     ///
-    /// It is kept with a power of two taken out, so a component that is less than 10⁻³⁷ of the largest may come back
-    /// rounded.
+    /// It is kept with a power of two taken out, so a component that is less than 10⁻³⁷ of the largest may
+    /// come back rounded.
     #[must_use]
     pub const fn direction(&self) -> [f32; 3] {
         array(scale(self.direction, self.unit))
     }
 
-    /// A ray whose direction is known to be finite, and no shorter than 1 but for rounding.
+    /// A ray whose direction is known to be finite and, except for rounding, 1 or longer.
     pub(crate) const fn new_unchecked(origin: F32x3, direction: F32x3) -> Self {
         Self { origin, direction, unit: 1.0 }
     }
@@ -79,8 +79,8 @@ impl Ray {
         if finite(point) { point } else { self.far_at(t) }
     }
 
-    /// The same where a product overflows although the point may not: computed at half the size, where the two terms that
-    /// cancel are finite.
+    /// The same where a product overflows although the point may not: computed at half the size, where the
+    /// two terms that cancel are finite.
     #[cold]
     #[inline(never)]
     fn far_at(&self, t: f32) -> F32x3 {

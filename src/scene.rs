@@ -27,9 +27,9 @@ use crate::solid::Solid;
 ///
 /// # Animation
 ///
-/// Segments, and all that does not move, stay in flash. The solids that move are copied into an array, some 80
-/// bytes each, and changed between two frames, and so are the scene's own fields. [`Scene::with_solids`] puts the two
-/// together for one frame: it copies the camera and the light, and borrows the array.
+/// Segments, and all that does not move, stay in flash. The solids that move are copied into an array, some
+/// 80 bytes each, and changed between two frames, and so are the scene's own fields. [`Scene::with_solids`]
+/// puts the two together for one frame: it copies the camera and the light, and borrows the array.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -61,8 +61,8 @@ use crate::solid::Solid;
 ///
 /// # More to come
 ///
-/// A scene is made by [`Scene::new`], not as a literal: later versions add fields, which `new` sets to what was drawn
-/// before there were any.
+/// A scene is made by [`Scene::new`], not as a literal: later versions add fields, which `new` sets to what
+/// was drawn before there were any.
 ///
 /// ```compile_fail,E0639
 /// # use embedded_lathe::*;
@@ -74,11 +74,11 @@ use crate::solid::Solid;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Scene<'a> {
-    /// The solids, in any order. Where two of them are at the same distance, the first in the slice is seen; where one
-    /// only touches the other, either.
+    /// The solids, in any order. Where two of them are at the same distance, the first in the slice is seen;
+    /// where one only touches the other, either.
     ///
-    /// Solids between which a separating plane is found cost what each costs alone. Where none is found, the pixels of
-    /// one of the two are found by casting a ray for each pixel, which costs several times as much.
+    /// Solids between which a separating plane is found cost what each costs alone. Where none is found, the
+    /// pixels of one of the two are found by casting a ray for each pixel, which costs several times as much.
     pub solids: &'a [Solid<'a>],
     /// The camera that sees them.
     pub camera: Camera,

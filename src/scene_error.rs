@@ -36,7 +36,8 @@ pub enum SceneError {
         /// The scale given.
         scale: f32,
     },
-    /// A camera looks in no direction: its eye is where it looks at, or a coordinate of one of the two is infinite or NaN.
+    /// A camera looks in no direction: its eye is where it looks at, or a coordinate of one of the two is
+    /// infinite or NaN.
     ViewDirection {
         /// The eye given.
         eye: [f32; 3],

@@ -1,4 +1,4 @@
-//! A lathe in the world, with a color.
+//! A lathe with a place in the world and a color.
 
 use crate::color::Rgb;
 use crate::hit::Hit;
@@ -8,7 +8,7 @@ use crate::ray::{Ray, RayError};
 use crate::surface::Surface;
 use crate::vector::{F32x3, array, difference, one_norm, scale, sum};
 
-/// A turned solid at its place in the world: what it is, where it is, what it looks like.
+/// A turned solid in the world: its shape, its pose, its color and how shiny it is.
 ///
 /// ```
 /// use embedded_lathe::{Lathe, Pose, Profile, Rgb, Rotation, Segment, Solid, valid};
@@ -27,37 +27,38 @@ pub struct Solid<'a> {
 }
 
 impl<'a> Solid<'a> {
-    /// A matt solid in its own space.
+    /// A matt solid in the pose [`Pose::IDENTITY`].
     #[must_use]
     pub const fn new(lathe: &'a Lathe, color: Rgb) -> Self {
         Self { lathe, pose: Pose::IDENTITY, color, shininess: 0 }
     }
 
-    /// The same in another pose.
+    /// This solid in another pose.
     #[must_use]
     pub const fn posed(self, pose: Pose) -> Self {
         Self { pose, ..self }
     }
 
-    /// The same in another color.
+    /// This solid in another color.
     #[must_use]
     pub const fn colored(self, color: Rgb) -> Self {
         Self { color, ..self }
     }
 
-    /// The same with a highlight: the exponent of Phong's model, wide at 5, narrow at 100. Zero is matt.
+    /// This solid with a highlight, given the exponent of Phong's model: the highlight is wide at 5, narrow
+    /// at 100. Zero is matt.
     #[must_use]
     pub const fn shiny(self, exponent: u8) -> Self {
         Self { shininess: exponent, ..self }
     }
 
-    /// What is turned.
+    /// Its shape.
     #[must_use]
     pub const fn lathe(&self) -> &'a Lathe {
         self.lathe
     }
 
-    /// Where it stands, how it is turned, and how large it is.
+    /// Its position, rotation and scale.
     #[must_use]
     pub const fn pose(&self) -> Pose {
         self.pose
@@ -95,8 +96,8 @@ impl<'a> Solid<'a> {
     }
 
     /// A ray of the world that goes on from a hit of this solid, as [`Lathe::spawn`]: the offset is
-    /// `16·2⁻²⁴·(4·R + distance + |origin| + |point|)`, all in the world, `distance` to where the solid's own space has its
-    /// origin, plus its middle's height in there.
+    /// `16·2⁻²⁴·(4·R + distance + |origin| + |point|)`, all in the world, `distance` to where the solid's own
+    /// space has its origin, plus its middle's height in there.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Pose, Profile, Ray, Rgb, Rotation, Segment, Solid, valid};

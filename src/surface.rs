@@ -1,4 +1,4 @@
-//! What is seen of a hit: its point and its normal. Paid for by visible hits only.
+//! The point and the normal of a hit, computed for visible hits only.
 
 use crate::hit::Hit;
 use crate::lathe::{Lathe, Segment};
@@ -25,8 +25,8 @@ use crate::vector::{F32x3, Vector, array, difference, dot, largest, one_norm, ve
 pub struct Surface {
     /// The point, in the ray's space.
     pub point: [f32; 3],
-    /// The unit normal, out of the solid. At a pole that comes to a point, where there is none, along the
-    /// axis.
+    /// The unit normal, which points out of the solid. Where the surface comes to a point and has no normal,
+    /// it is along the axis.
     pub normal: [f32; 3],
 }
 
@@ -38,19 +38,21 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         Surface { point: ray.at(hit.t), normal: array(self.normal(ray, hit)) }
     }
 
-    /// The unit normal at a hit.
+    /// The unit normal at a hit of this lathe by that ray.
     #[inline]
     pub(crate) fn normal(&self, ray: &Ray, hit: &Hit) -> F32x3 {
         unit(self.gradient_at(ray.point(hit.t), hit))
     }
 
-    /// A ray that goes on from a hit of this lathe by `ray`: a reflection, or towards a light. It starts beside the hit's
-    /// point, off the surface by the bound of what rounding can do to either ray (graphics texts call that an offset ray
-    /// origin), to the side that `direction` points to. So with a `t_min` of zero it does not meet the place again that it
-    /// leaves; and what else it meets is at most as far from where it should be as the offset is long:
+    /// A ray that goes on from a hit of this lathe by `ray`: a reflection, or towards a light. It starts
+    /// beside the hit's point, off the surface by the bound of what rounding can do to either ray (graphics
+    /// texts call that an offset ray origin), to the side that `direction` points to. So with a `t_min` of
+    /// zero it does not meet the place again that it leaves; and what else it meets is at most as far from
+    /// where it should be as the offset is long:
     ///
-    /// `16·2⁻²⁴·(4·R + distance + |point|)`, R the radius of the smallest ball around the solid, both others measured by the sum
-    /// of the coordinates, from the middle of its axis to the ray's origin, and from the origin of space to the point.
+    /// `16·2⁻²⁴·(4·R + distance + |point|)`, R the radius of the smallest ball around the solid, both others
+    /// measured by the sum of the coordinates, from the middle of its axis to the ray's origin, and from the
+    /// origin of space to the point.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, Ray, valid};
@@ -74,14 +76,16 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
 /// The offset of a spawned ray, over the lengths that its rounding is measured by.
 ///
-/// The promise puts the hit within 4 units of the surface, a unit 2⁻²⁴·(size + distance + the hit's own distance), and that is
-/// no more than 2·(size + distance); `Ray::at` rounds a product and a sum, 1 more and |point|; and the ray that leaves has to
-/// clear the surface by 4 units of 2⁻²⁴·(size + size), its origin being rounded once more, |point|. In all 18·size + 10·distance +
-/// 2·|point|, size at most 2·R: 16 times (4·R + distance + |point|) is more than that by half.
+/// The promise puts the hit within 4 units of the surface, a unit 2⁻²⁴·(size + distance + the hit's own
+/// distance), and that is no more than 2·(size + distance); `Ray::at` rounds a product and a sum, 1 more and
+/// |point|; and the ray that leaves has to clear the surface by 4 units of 2⁻²⁴·(size + size), its origin
+/// being rounded once more, |point|. In all 18·size + 10·distance + 2·|point|, size at most 2·R: 16 times
+/// (4·R + distance + |point|) is more than that by half.
 const OFFSET: f32 = 16.0 * UNIT_ROUNDOFF;
 
 impl Surface {
-    /// The ray from here, off the surface by what rounding can do to numbers as large as `lengths` and the point.
+    /// The ray from here, off the surface by what rounding can do to numbers as large as `lengths` and the
+    /// point.
     pub(crate) fn spawn(self, direction: [f32; 3], lengths: f32) -> Result<Ray, RayError> {
         let (point, normal) = (vector(self.point), vector(self.normal));
         let offset = OFFSET * (lengths + one_norm(point));
@@ -90,10 +94,12 @@ impl Surface {
     }
 }
 
-/// The unit vector along `v`, which is not zero.
+/// The unit vector along `v`, which must not be zero.
 ///
-/// Lengths in a lathe's frame are near one, but a very flat or very tall profile's slopes are not: those are
-/// brought there first.
+/// Gradients have lengths near 1, except those of very flat and very tall profiles, which are first divided
+/// by their largest component. From 10⁻²⁴ to 10²⁴ the square of the length needs no such care: the squares of
+/// all components that count, 2⁻²³ of the largest and more, are then normal numbers (10⁻²⁴·2⁻⁴⁶ is
+/// 1.4·10⁻³⁸), and so is its root's inverse.
 #[inline]
 pub(crate) fn unit(v: F32x3) -> F32x3 {
     let square = v.dot(v);

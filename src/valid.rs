@@ -43,8 +43,8 @@
 ///
 /// # Functions
 ///
-/// What depends on parameters is no constant, so a function cannot use `valid!` on them. It returns the `Result`, and whoever
-/// calls it with constants uses `valid!`:
+/// What depends on parameters is no constant, so a function cannot use `valid!` on them. It returns the
+/// `Result`, and whoever calls it with constants uses `valid!`:
 ///
 /// ```
 /// use embedded_lathe::*;

@@ -1,5 +1,5 @@
-//! A display's colors. Those with 5 bits a channel or more take the nearest shade, those with fewer are
-//! dithered.
+//! The colors of displays. Those with 5 bits or more for each channel get the nearest shade; those with fewer
+//! are dithered.
 
 use super::dither::dithered;
 use crate::color::{Paint, Rgb, Shades, nearest};
@@ -32,8 +32,8 @@ macro_rules! channels {
 
 channels!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
 
-/// How much of each channel's light makes how bright a color is, times the brightest shade: the weights of
-/// ITU-R BT.601.
+/// The shades that red, green and blue contribute to the brightness of a gray: the weights of ITU-R BT.601
+/// times the brightest shade.
 const fn luma(most: f32) -> Rgb {
     Rgb::new(0.299 * most, 0.587 * most, 0.114 * most)
 }
@@ -56,8 +56,9 @@ impl From<BinaryColor> for Rgb {
     }
 }
 
-/// The brightness in shades that the weighted channels add up to, and, as each of them carries half a shade more, three
-/// halves of a shade more.
+/// The brightness in shades: the sum of the weighted channels. As each channel carries a bias of half a
+/// shade, the sum is three halves of a shade too large: `dithered` takes all of that off, and `Gray8` one
+/// shade, so that what is left rounds.
 #[inline]
 fn sum(shades: Shades) -> u32 {
     shades.r + shades.g + shades.b

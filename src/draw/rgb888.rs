@@ -5,7 +5,8 @@ use core::mem::transmute;
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 impl Rgb {
-    /// A color of embedded-graphics, for a `static` scene: `From` does the same for all of its colors, but not in a `const`.
+    /// A color of embedded-graphics, for a `static` scene: `From` does the same for all of its colors, but
+    /// not in a `const`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
@@ -23,14 +24,16 @@ impl Rgb {
     }
 }
 
-/// Red, green and blue, 8 bits each, red the highest: what the color's own accessors give, which are no `const`.
+/// Red, green and blue, 8 bits each, red the highest: what the color's own accessors give, which are no
+/// `const`.
 #[allow(unsafe_code)]
 const fn bits(color: Rgb888) -> u32 {
     // SAFETY: any bits are a `u32`. That these are initialized, and mean what is said, is evaluated below.
     unsafe { transmute(color) }
 }
 
-/// A release of embedded-graphics-core that keeps its colors in another way does not compile: here each bit is tried.
+/// A release of embedded-graphics-core that keeps its colors in another way does not compile: here each bit
+/// is tried.
 const _: () = {
     let mut bit = 0;
     while bit < 24 {

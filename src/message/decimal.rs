@@ -1,11 +1,11 @@
 use super::Text;
 
-/// Writes a number as core does for debugging: the fewest digits that only it is read from, with an exponent from 10¹⁶ on and
-/// below 10⁻⁴.
+/// Writes a number as core does for debugging: the fewest digits that only it is read from, with an exponent
+/// from 10¹⁶ on and below 10⁻⁴.
 ///
-/// In f64, which only the compiler computes with. A decimal of p digits is the number's own if it is read back as it: its
-/// f64, off by at most 50 roundings or 10⁻¹⁴, is then the f32 itself when rounded, unless the decimal lies as near to the
-/// middle between two f32 as that.
+/// In f64, which only the compiler computes with. A decimal of p digits is the number's own if it is read
+/// back as it: its f64, off by at most 50 roundings or 10⁻¹⁴, is then the f32 itself when rounded, unless the
+/// decimal lies as near to the middle between two f32 as that.
 pub(super) const fn push(text: &mut Text, x: f32) {
     if x.is_nan() {
         return text.push_all("NaN");
@@ -38,7 +38,8 @@ const fn shortest(x: f32) -> (u64, i32) {
     loop {
         let scaled = times_ten_to(x as f64, count - 1 - exponent);
         let nearest = (scaled + 0.5) as u64;
-        // Below a power of two numbers lie closer: the nearest decimal may be another's, and the next one up this one's.
+        // Below a power of two numbers lie closer: the nearest decimal may be another's, and the next one up
+        // this one's.
         let next = if nearest as f64 > scaled { nearest - 1 } else { nearest + 1 };
         if is_of(x, nearest, exponent - count + 1) || count == 9 {
             return without_zeros(nearest, count, exponent);
@@ -55,7 +56,8 @@ const fn is_of(x: f32, digits: u64, exponent: i32) -> bool {
     times_ten_to(digits as f64, exponent) as f32 == x
 }
 
-/// The digits, `count` of them or, rounded up to a power of ten, one more, without the zeros at their end; and the exponent.
+/// The digits, `count` of them or, rounded up to a power of ten, one more, without the zeros at their end;
+/// and the exponent.
 const fn without_zeros(mut digits: u64, count: i32, exponent: i32) -> (u64, i32) {
     let exponent = exponent + (digits.ilog10() as i32 + 1 - count);
     while digits.is_multiple_of(10) {

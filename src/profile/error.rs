@@ -83,8 +83,8 @@ pub enum ProfileError {
         /// The squash given.
         squash: f32,
     },
-    /// A radius or a height of an exact profile, as [`Profile::cylinder`](crate::Profile::cylinder), is negative, zero,
-    /// infinite or NaN.
+    /// A radius or a height of an exact profile, as [`Profile::cylinder`](crate::Profile::cylinder), is
+    /// negative, zero, infinite or NaN.
     Dimension {
         /// What the parameter is called.
         name: &'static str,

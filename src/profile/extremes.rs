@@ -2,25 +2,27 @@ use super::const_fn;
 
 /// The least and the largest value of a cubic over [0, 1].
 pub(super) struct Extremes {
-    /// Zero where it is below zero by no more than rounding.
+    /// The least value; zero, if it is below zero by no more than rounding.
     pub least: f32,
-    /// Where it is.
+    /// The u of the least value.
     pub narrowest: f32,
-    /// Never below the true one.
+    /// The largest value, or a little more.
     pub largest: f32,
 }
 
-/// Of the largest ordinate: what de Casteljau's three levels of interpolation can be off by, each by two and a half roundings
-/// at most (of a term, of the sum, and half of one in 1 − u), rounded up.
+/// A bound on the error of a value by de Casteljau's interpolations, relative to the largest ordinate: each
+/// of the three levels adds two and a half roundings at most (of a term, of the sum, and half of one in 1 −
+/// u), 7.5 in all, rounded up.
 const ROUNDING: f32 = 8.0 / 16_777_216.0;
 
 impl Extremes {
-    /// Of `Σ bⱼ·Bⱼ³(u)`. The ends and the turning points, of which only those that the ordinates leave in
-    /// doubt are looked for: a value between ends lies within the ordinates' own range.
+    /// The extremes of `Σ bⱼ·Bⱼ³(u)`: the least and the largest of the values at the two ends and at the
+    /// critical points between them.
     pub const fn of(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
         let size = b0.abs().max(b1.abs()).max(b2.abs()).max(b3.abs());
-        // Of two ends as narrow, the one that comes to a point.
+        // Of two ends with the same radius, take the one where its square changes more slowly: if both are
+        // zero, the sharper point.
         let lower = b0 < b3 || b0 == b3 && (b1 - b0).abs() <= (b2 - b3).abs();
         let (mut least, mut narrowest) = if lower { (b0, 0.0) } else { (b3, 1.0) };
         let mut largest = b0.max(b3);
@@ -44,8 +46,8 @@ impl Extremes {
                 i += 1;
             }
         }
-        // At a turning point that rounding has misplaced by e the value is off by e² only, well within the
-        // same bound.
+        // At a critical point that rounding has misplaced by e the value is off by a multiple of e² only,
+        // well within the same bound.
         let slack = ROUNDING * size;
         if least < 0.0 && least >= -slack && b0 >= 0.0 && b3 >= 0.0 {
             least = 0.0;

@@ -4,8 +4,8 @@ use super::{Profile, ProfileError};
 ///
 /// # Errors
 ///
-/// All of them return [`ProfileError::Dimension`] if a height is not positive and finite, or a radius neither that nor, where
-/// its doc says so, zero; otherwise [`ProfileError`] as [`Profile::from_squared_radii`].
+/// All of them return [`ProfileError::Dimension`] if a height is not positive and finite, or a radius neither
+/// that nor, where its doc says so, zero; otherwise [`ProfileError`] as [`Profile::from_squared_radii`].
 impl Profile<1> {
     /// A cylinder from z = 0 to z = height.
     pub const fn cylinder(radius: f32, height: f32) -> Result<Self, ProfileError> {
@@ -23,8 +23,8 @@ impl Profile<1> {
         Self::cone_between(radius, 0.0, height)
     }
 
-    /// A frustum of a cone, `base` its radius at z = 0, `top` that at z = height. One of the radii may be zero: then it is a
-    /// cone.
+    /// A frustum of a cone, `base` its radius at z = 0, `top` that at z = height. One of the radii may be
+    /// zero: then it is a cone.
     pub const fn frustum(base: f32, top: f32, height: f32) -> Result<Self, ProfileError> {
         // What may be zero beside a positive number may not be negative.
         let checked = if base == 0.0 {
@@ -67,8 +67,9 @@ impl Profile<1> {
         Self::quadratic(0.0, height, [0.0, 0.5 * square, square])
     }
 
-    /// A hyperboloid of one sheet, like a cooling tower, `waist` its radius at z = 0, `rim` that at z = ±half_height. A waist
-    /// of zero makes a double cone, and one wider than the rim a barrel, which is a zone of a spheroid.
+    /// A hyperboloid of one sheet, like a cooling tower, `waist` its radius at z = 0, `rim` that at z =
+    /// ±half_height. A waist of zero makes a double cone, and one wider than the rim a barrel, which is a
+    /// zone of a spheroid.
     pub const fn hyperboloid(waist: f32, rim: f32, half_height: f32) -> Result<Self, ProfileError> {
         let checked = if waist == 0.0 {
             all_positive([("rim", rim), ("half_height", half_height)])

@@ -216,3 +216,28 @@ impl defmt::Format for Camera {
         );
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In pictures of any shape, and in rows below them; with 2⁻²¹ to spare for the rounding of both.
+    #[test]
+    fn no_origin_of_a_row_is_larger_than_it_says() {
+        let camera = Camera::orthographic([3.0, -4.0, 1.0], [0.5, 0.0, 2.0], [0.1, 0.2, 1.0], 0.7).unwrap();
+        let mut nearly = 0;
+        for (width, height) in [(1, 1), (40, 40), (7, 4000), (4000, 7), (1, 100_000)] {
+            for y in [0, height / 3, height - 1, 3 * height] {
+                let row = Row { camera: &camera, y, width, height };
+                for x in [0, width / 2, width - 1] {
+                    let size = one_norm(row.ray(x).origin);
+                    assert!(size <= row.rough() * (1.0 + 1.0 / 2_097_152.0), "{size} at {x}, {y}");
+                    nearly += u32::from(2.0 * size > row.rough());
+                }
+            }
+        }
+        assert!(nearly > 10, "the bound is loose: {nearly}");
+        let one_eye = Camera::perspective([3.0, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.3).unwrap();
+        assert_eq!(Row { camera: &one_eye, y: 3, width: 7, height: 9 }.rough(), 0.0);
+    }
+}

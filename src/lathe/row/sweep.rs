@@ -5,12 +5,8 @@
 //! other half of the row, to the left. So silhouettes are met from within; beyond one the rays diverge from the solid, and one
 //! probe certifies that the rest of the half misses.
 
-use super::certify::Certification;
+use super::bounds::RowBounds;
 use super::ray_row::RayRow;
-use super::setup::RowBounds;
-use super::skip::Probe;
-use super::track::TrackEnd;
-use crate::hit::{Hit, Part};
 use crate::lathe::ray::LocalRay;
 use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
@@ -74,6 +70,21 @@ pub(super) struct TrackedRoot<'a> {
     pub probed: u32,
     /// Where the last probe that could not rule out a root says that it may be.
     pub start: Option<RootStart>,
+}
+
+/// Why tracking ended at a pixel.
+#[derive(Clone, Copy)]
+pub(super) enum TrackEnd {
+    /// The limit that was asked for is reached.
+    Limit,
+    /// The root is not known to be the nearest.
+    Uncertified,
+    /// The root has left the segment through its upper end.
+    LeftUpwards,
+    /// Through its lower end.
+    LeftDownwards,
+    /// Newton's method finds no root.
+    Diverged,
 }
 
 /// Why a tracked root is its ray's nearest: one of two tests a pixel, and how long both hold.
@@ -170,101 +181,6 @@ impl Sweep<'_> {
         *direction = Direction { rays: direction.rays.reversed(), is_reversed: true, len: bounds.left };
         (root.is_tracked, root.end, root.probed) = (false, None, u32::MAX);
         true
-    }
-
-    /// What the pixels from the i-th on see, which must be less than [`Sweep::len`].
-    #[inline(always)]
-    pub fn next(&mut self, i: u32) -> Span {
-        if let Some(end) = self.root.end.take() {
-            self.resume(i, end);
-        }
-        loop {
-            if self.root.is_tracked {
-                let to = self.limit(i);
-                if to > i {
-                    return Span::Tracked { to };
-                }
-                self.resume(i, TrackEnd::Limit);
-                continue;
-            }
-            if let Some(span) = self.cap_span(i) {
-                return span;
-            }
-            if !self.bounds.is_usable || self.root.probed == i {
-                return Span::Single;
-            }
-            if let Probe::Misses { to } = self.search(i) {
-                return Span::Empty { to };
-            }
-        }
-    }
-
-    /// Probes the i-th ray, which no root is tracked for. If it may meet the solid, and it is known where, begins to track that
-    /// root, if roots are tracked.
-    #[inline(never)]
-    fn search(&mut self, i: u32) -> Probe {
-        self.root.probed = i;
-        // The left half begins with the last root that the right one looked for, most often the one it began with.
-        let probe = match self.root.start {
-            Some(start) if i == 0 => Probe::MayMeet(Some(start)),
-            _ => self.probe(i),
-        };
-        if let Probe::MayMeet(start) = probe {
-            self.root.start = start;
-            if let Some(start) = start.filter(|_| self.bounds.may_track) {
-                self.root.begin(start);
-                self.root.tries = STEPS;
-            }
-        }
-        probe
-    }
-
-    /// Goes on where tracking ended before the i-th pixel: in the next segment, or by a new certificate. If neither does, no
-    /// root is tracked, and the i-th pixel need not be probed: a probe would find the same root.
-    #[inline(never)]
-    fn resume(&mut self, i: u32, end: TrackEnd) {
-        let root = &mut self.root;
-        let index = match end {
-            TrackEnd::Limit if i < root.certificate.until => return,
-            TrackEnd::Limit => Some(root.index),
-            TrackEnd::LeftUpwards => Some(root.index + 1),
-            TrackEnd::LeftDownwards => Some(root.index.wrapping_sub(1)),
-            TrackEnd::Uncertified => None,
-            TrackEnd::Diverged => {
-                // Where it is no longer the root may be probed for anew.
-                root.is_tracked = false;
-                return;
-            }
-        };
-        root.tries -= 1;
-        let segment =
-            index.filter(|_| root.tries > 0).and_then(|index| self.bounds.lathe.segments.get(index));
-        if let (Some(index), Some(segment)) = (index, segment) {
-            (root.index, root.segment) = (index, segment);
-            match self.certify(i) {
-                Certification::Nearest(certificate) => {
-                    self.root.certificate = certificate;
-                    return;
-                }
-                Certification::Another(start) => {
-                    self.root.begin(start);
-                    return;
-                }
-                Certification::Undecided => {}
-            }
-        }
-        (self.root.is_tracked, self.root.probed) = (false, i);
-    }
-
-    /// A ray that was cast for the i-th pixel, or for its mirror image, meets the lathe: from there the root is tracked, if
-    /// roots are. The next pixel need not be probed: it most likely meets the lathe, too.
-    pub fn found(&mut self, i: u32, hit: &Hit) {
-        self.root.probed = i + 1;
-        if hit.part == Part::Wall && self.bounds.may_track {
-            let s = hit.t * self.bounds.unit - self.bounds.shift;
-            self.root.begin(RootStart { index: hit.segment, s, sign: if hit.enters { 1.0 } else { -1.0 } });
-            self.root.tries = STEPS;
-        }
     }
 
     /// The i-th ray, with s for its t. Not inline: three functions call it, and none of them often.

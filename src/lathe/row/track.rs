@@ -1,7 +1,7 @@
 //! A root, tracked from ray to ray: predicted from its last changes, corrected by Newton's method. The innermost loop.
 
 use super::normal::{Seen, Wall};
-use super::sweep::{STEPS, Sweep};
+use super::sweep::{STEPS, Sweep, TrackEnd};
 use crate::math::cold_path;
 use crate::math::minmax::greater;
 use crate::vector::{F32x3, dot_xy, vector};
@@ -9,21 +9,6 @@ use crate::vector::{F32x3, dot_xy, vector};
 /// How many pixels are tracked in one go: M and D grow by addition, 64 of which are off by 64·2⁻²⁴ of the solid's size at most,
 /// and g by four times that, 2⁻¹⁶: a sixteenth of the tolerance.
 const MOST_PIXELS: u32 = 64;
-
-/// Why tracking ended at a pixel.
-#[derive(Clone, Copy)]
-pub(super) enum TrackEnd {
-    /// The limit that was asked for is reached.
-    Limit,
-    /// The root is not known to be the nearest.
-    Uncertified,
-    /// The root has left the segment through its upper end.
-    LeftUpwards,
-    /// Through its lower end.
-    LeftDownwards,
-    /// Newton's method finds no root.
-    Diverged,
-}
 
 impl Sweep<'_> {
     /// The pixel up to which the tracked root may be tracked from the i-th: none if it is not certified there.

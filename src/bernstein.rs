@@ -3,8 +3,9 @@
 /// A cubic by its Bernstein ordinates over [0, 1], as a Bézier curve has it:
 /// `b0·(1 − u)³ + 3·b1·(1 − u)²·u + 3·b2·(1 − u)·u² + b3·u³`.
 ///
-/// Its roots are found from the ordinates, not from the coefficients of powers of u that [`Cubic::from_bernstein`]
-/// makes of them. Those are sums of ordinates, and what is small beside u = 1 is lost in them:
+/// Its roots are found from the ordinates, not from the coefficients of powers of u that
+/// [`Cubic::from_bernstein`](crate::Cubic::from_bernstein) makes of them. Those are sums of ordinates, and
+/// what is small beside u = 1 is lost in them:
 ///
 /// ```
 /// use embedded_lathe::{Bernstein, Cubic};
@@ -14,16 +15,16 @@
 /// assert!(Cubic::from_bernstein(b).first_root(0.0, 1.0).unwrap() > 0.9999);
 /// ```
 ///
-/// Over `w = u/(1 − u)`, from 0 to infinity, the cubic is `(1 − u)³·(b0 + 3·b1·w + 3·b2·w² + b3·w³)`: its ordinates are
-/// the coefficients of a cubic in w, but for a factor of 3, and `Cubic`'s solvers are exact but for 4 units of 2⁻²⁴ of
-/// each coefficient.
+/// Over `w = u/(1 − u)`, from 0 to infinity, the cubic is `(1 − u)³·(b0 + 3·b1·w + 3·b2·w² + b3·w³)`: its
+/// ordinates are the coefficients of a cubic in w, but for a factor of 3, and `Cubic`'s solvers are exact but
+/// for 4 units of 2⁻²⁴ of each coefficient.
 ///
 /// # Promise
 ///
-/// A root returned is within [`Bernstein::ROUNDING`] units of 2⁻²⁴, relative, of the root of a cubic whose ordinates
-/// differ from the given ones by at most [`Bernstein::BACKWARD_ERROR`] units of 2⁻²⁴ each, relative; and so is the claim
-/// that there is no root before it, or none. What does not count is a value below 2⁻¹⁰⁶ of the largest ordinate.
-/// Ordinates that are not finite have no roots.
+/// A root returned is within [`Bernstein::ROUNDING`] units of 2⁻²⁴, relative, of the root of a cubic whose
+/// ordinates differ from the given ones by at most [`Bernstein::BACKWARD_ERROR`] units of 2⁻²⁴ each,
+/// relative; and so is the claim that there is no root before it, or none. What does not count is a value
+/// below 2⁻¹⁰⁶ of the largest ordinate. Ordinates that are not finite have no roots.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bernstein {
@@ -41,8 +42,8 @@ impl Bernstein {
     /// The value at u, by de Casteljau's interpolations, 0 ≤ u ≤ 1: off by at most 10 units of 2⁻²⁴ of
     /// `Σ |bⱼ|·Bⱼ(u)`, the sum of the terms' magnitudes.
     ///
-    /// The rounding of 1 − u moves a product of three factors by 3 units at most; three interpolations, each a product
-    /// and a sum, by 6; one is left for terms of second order.
+    /// The rounding of 1 − u moves a product of three factors by 3 units at most; three interpolations, each
+    /// a product and a sum, by 6; one is left for terms of second order.
     #[must_use]
     pub const fn at(&self, u: f32) -> f32 {
         let [b0, b1, b2, b3] = self.b;

@@ -5,7 +5,7 @@ use crate::math::{Math, Native};
 
 /// `c0 + c1·u + c2·u² + c3·u³`, constant term first.
 ///
-/// Any coefficient may be zero, the leading ones too: "cubic" is the most it can be.
+/// Any coefficient may be zero, the leading ones too: the degree is three at most.
 ///
 /// ```
 /// use embedded_lathe::Cubic;
@@ -32,8 +32,10 @@ impl Cubic {
 
     /// From Bernstein ordinates over [0, 1]: `Σ bⱼ·(3 over j)·(1 − u)³⁻ʲ·uʲ`.
     ///
-    /// Off by at most 36 units of 2⁻²⁴ of the largest ordinate (c2, three times the difference of two differences), and by
-    /// half that where none is negative.
+    /// Each coefficient is off by at most 36 units of 2⁻²⁴ of the largest ordinate: c2, three times the
+    /// difference of two differences, is 12 times that ordinate at most, by three roundings. Where no
+    /// ordinate is negative it is half of that. What is small beside u = 1 is lost in such sums:
+    /// [`Bernstein`](crate::Bernstein) finds roots without them.
     #[must_use]
     pub const fn from_bernstein(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
@@ -42,8 +44,8 @@ impl Cubic {
         Self { c: [b0, 3.0 * d1, 3.0 * (d2 - d1), (b3 - b0) - 3.0 * d2] }
     }
 
-    /// The value at u, by Horner's rule: 3 multiplications, 3 additions, off by at most 6 units of 2⁻²⁴ of
-    /// `Σ |cⱼ·uʲ|`.
+    /// Returns the value at u, by Horner's rule: 3 multiplications and 3 additions, off by at most 6 units of
+    /// 2⁻²⁴ of [`Cubic::size`], one for each of them.
     #[inline(always)]
     #[must_use]
     pub const fn at(&self, u: f32) -> f32 {
@@ -51,7 +53,7 @@ impl Cubic {
         ((c3 * u + c2) * u + c1) * u + c0
     }
 
-    /// The derivative at u.
+    /// Returns the derivative at u, `c1 + 2·c2·u + 3·c3·u²`.
     #[inline(always)]
     #[must_use]
     pub const fn slope(&self, u: f32) -> f32 {
@@ -59,18 +61,19 @@ impl Cubic {
         (3.0 * c3 * u + (c2 + c2)) * u + c1
     }
 
-    /// The value at u and the derivative, by one scheme.
+    /// Returns the value and the derivative at u, which share intermediate results: Horner's rule twice.
     #[inline(always)]
     pub(crate) const fn with_slope(&self, u: f32) -> (f32, f32) {
         let [c0, c1, c2, c3] = self.c;
-        let turn = c3 * u;
-        let bend = turn + c2;
-        let lean = bend * u + c1;
-        let slope = (turn + bend) * u + lean;
-        (lean * u + c0, slope)
+        let leading = c3 * u;
+        let twice = leading + c2;
+        let once = twice * u + c1;
+        let slope = (leading + twice) * u + once;
+        (once * u + c0, slope)
     }
 
-    /// `Σ |cⱼ·uʲ|`: what the rounding of the value is measured against.
+    /// Returns `Σ |cⱼ·uʲ|`, the sum of the terms' magnitudes: rounding in [`Cubic::at`] is proportional to
+    /// it.
     #[must_use]
     pub const fn size(&self, u: f32) -> f32 {
         let [c0, c1, c2, c3] = self.c;

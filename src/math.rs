@@ -1,17 +1,17 @@
-//! The functions that `core` lacks, from three libraries: the one place that names them.
+//! Square roots and other functions that `core` lacks, from three libraries. No other module names those
+//! libraries.
 //!
-//! Each backend is a zero-sized type, so that all of them can stand in one binary and a test can put one
-//! beside another.
+//! Each backend is a zero-sized type, so that one program can use several, and a test compare them.
 //!
 //! | backend | `sqrt` | `cbrt`, `acos`, `cos` |
 //! |---|---|---|
 //! | [`Native`] | correctly rounded: the hardware's root where there is one | as [`Libm`] |
 //! | [`Libm`] | correctly rounded, integer arithmetic | within a unit in the last place |
-//! | [`Micromath`] | within 2 units, from micromath's seed | rough: within the bounds of [`Math`] |
+//! | [`Micromath`] | within 2 units, from micromath's seed | within the bounds of [`Math`] |
 //! | `Std` (feature `std`) | correctly rounded | the platform's |
 //!
-//! A root rounds the same way wherever it is correctly rounded, so [`Native`], [`Libm`] and `Std` give the
-//! same bits wherever only `sqrt` is asked for. That is all the renderer asks for.
+//! Correct rounding leaves one result, so the square roots of [`Native`], [`Libm`] and `Std` have the same
+//! bits. The renderer uses no other of these functions.
 
 mod cold_path;
 pub(crate) mod const_fn;
@@ -31,11 +31,11 @@ pub(crate) use self::rsqrt::rsqrt;
 #[cfg(feature = "std")]
 pub use self::std::Std;
 
-/// The unit roundoff of f32, 2⁻²⁴: an addition, multiplication, division or correctly rounded root is off by at most
-/// this, relative to its exact result.
+/// The unit roundoff of f32, 2⁻²⁴: an addition, multiplication, division or correctly rounded root is off by
+/// at most this, relative to its exact result.
 pub(crate) const UNIT_ROUNDOFF: f32 = 0.5 * f32::EPSILON;
 
-/// What the solvers ask of a mathematics library.
+/// The functions that solvers take from a mathematics library.
 ///
 /// ```
 /// use embedded_lathe::math::{Libm, Math, Micromath};
@@ -50,7 +50,8 @@ pub(crate) const UNIT_ROUNDOFF: f32 = 0.5 * f32::EPSILON;
 pub trait Math {
     /// √x for x ≥ 0, within 2 units of 2⁻²⁴ relative; NaN for x < 0.
     fn sqrt(x: f32) -> f32;
-    /// ∛x for every normal x, within 8 %: a seed, not an answer. Of a smaller x no more than 10⁻¹², of its sign.
+    /// ∛x for every normal x, within 8 %: a seed, not an answer. Of a smaller x no more than 10⁻¹², of its
+    /// sign.
     fn cbrt(x: f32) -> f32;
     /// The angle in [0, π] whose cosine is x, for |x| ≤ 1, within 0.03 rad: a seed, not an answer.
     fn acos(x: f32) -> f32;

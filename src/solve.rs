@@ -1,30 +1,41 @@
-//! Where a cubic vanishes: the first root in an interval, or all of them.
+//! Where a cubic vanishes: root isolation, which rays use, and a library of solvers, which they do not.
 //!
-//! Every method here answers in the same two steps, and only the second differs:
+//! | files | what they hold | who uses them |
+//! |---|---|---|
+//! | `isolate.rs`, `newton.rs` | root isolation, piece by piece; Newton's method in a bracket, a private [`Solver`] | rays that the fast path leaves undecided, and `library/` |
+//! | `library/` | [`Split`], [`Cardano`], [`refine`](fn@refine), the roots of any [`Cubic`] in any interval and of [`Bernstein`](crate::Bernstein) ordinates | you; no picture is made with them |
 //!
-//! 1. **Split.** The cubic is turned round to start positive. From there it can only fall below zero, towards its
-//!    minimum or the interval's end, and two signs say whether it does: the [`Piece`]. (`pieces.rs`.)
-//! 2. **Solve.** A closed form says where: that is the [`Solver`].
+//! Every root is found in two steps, and solvers differ in the second alone:
+//!
+//! 1. **Isolate.** The cubic is negated if it starts below zero. From above zero it can only fall below,
+//!    towards its minimum or the interval's end, and the two signs there decide whether it does. The result
+//!    is a [`Piece`], a bracket in which the cubic crosses zero once. After a crossing the search goes on
+//!    where the piece ends. (`isolate.rs`.)
+//! 2. **Solve.** A [`Solver`] computes the crossing in the piece.
 //!
 //! | solver | closed form | then | cost |
 //! |---|---|---|---|
-//! | [`Split`] | the parabola at the nearer turning point, bent by the cubic term | one Newton step | one root, four divisions or five, a short polynomial |
+//! | [`Split`] | the parabola at the nearer critical point, corrected for the cubic term | one Newton step | one root, four or five divisions, a short polynomial |
 //! | [`Cardano`] | Cardano's formula, trigonometric or with a cube root | [`refine`](fn@refine) | an arc cosine and a cosine, or a cube root, and Newton's steps |
 //!
-//! A closed form that is poor, or poor at times, is brought to full accuracy by [`refine`](fn@refine), in a bracket. The
-//! default needs none: it is good everywhere, and its cost differs little from one cubic to another.
-//!
-//! Rays that a glance does not tell are walked along with the smallest of all, Newton's method in a bracket and nothing
-//! else. (`bracketed.rs`.)
+//! A solver whose closed form is inaccurate, everywhere or in places, is brought to full accuracy by
+//! [`refine`](fn@refine), in a bracket. [`Split`], which [`Cubic::first_root`] and [`Cubic::roots`] use,
+//! needs no bracket: its closed form is accurate everywhere, and its cost differs little from one cubic to
+//! another.
 //!
 //! # Promise
 //!
-//! The root returned is exact for a cubic whose coefficients differ from the given ones by at most
-//! [`BACKWARD_ERROR`] units of 2⁻²⁴ each, relative, and so is the claim that there is none before it. Two
-//! roots closer than that can tell apart may be reported or missed together. Leading coefficients may vanish,
-//! and neither the scale of the coefficients nor the length of the interval matters (`wide.rs`); what does not
-//! count is a value below 2⁻¹⁰⁶ of the largest coefficient, f32's smallest over the least that is not scaled
-//! first. Coefficients that are not finite have no roots.
+//! A root returned is exact for a cubic whose coefficients differ from the given ones by at most
+//! [`BACKWARD_ERROR`] units of 2⁻²⁴ each, relative; and so is the claim that there is none before it, or none
+//! at all. Of a list of roots this holds for each root, and for the sign of each stretch between two; two
+//! equal roots are a double root; there are no more roots than the degree; and one cubic within the same
+//! bound has as many, except where three roots are nearly one and the interval ends beside them. A double
+//! root may be found as two roots, or not at all, as rounding decides.
+//!
+//! Leading coefficients may vanish, and neither the scale of the coefficients nor the length of the interval
+//! matters (`library/rescale.rs`). Values below 2⁻¹⁰⁶ of the largest coefficient count as zero: cubics whose
+//! largest coefficient is 2⁻²⁰ or more are solved as they are, and f32's smallest normal number is 2⁻¹²⁶. A
+//! cubic with a coefficient that is infinite or NaN has no roots.
 
 mod isolate;
 mod library;
@@ -39,10 +50,12 @@ pub(crate) use newton::Newton;
 use crate::cubic::Cubic;
 use crate::math::Math;
 
-/// The relative change of each coefficient, in units of 2⁻²⁴, within which every answer is exact.
+/// The relative change of each coefficient, in units of 2⁻²⁴, within which every answer is exact. Measured,
+/// not proved: the largest seen is 2.4 units (`docs/ACCURACY.md`), and the laboratory's exact judge asserts
+/// the bound.
 pub const BACKWARD_ERROR: f32 = 4.0;
 
-/// A method: where a cubic known to cross zero once in a piece does so.
+/// A method that computes where a cubic crosses zero in a piece in which it does so once.
 ///
 /// ```
 /// use embedded_lathe::{Cubic, math::Libm, solve::{Cardano, Solver, Split}};
@@ -56,9 +69,10 @@ pub const BACKWARD_ERROR: f32 = 4.0;
 /// assert!((middle_root::<Cardano<Libm>>() - 2.0).abs() < 1e-5);
 /// ```
 pub trait Solver {
-    /// The mathematics that the solver's functions come from.
+    /// The library that the solver takes its square root, and what else it needs, from.
     type Math: Math;
 
-    /// The crossing of `g` in `piece`. What lies outside the piece is replaced by its nearer end, NaN by hi.
+    /// Returns the root of `g` in `piece`. The caller replaces a result outside the piece by the nearer end,
+    /// and NaN by `hi`.
     fn root(g: &Cubic, piece: &Piece) -> f32;
 }

@@ -58,7 +58,7 @@ pub(crate) const fn cross(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x])
 }
 
-/// The sum of the components' magnitudes: no less than the length.
+/// The sum of the components' magnitudes: an upper bound of the length.
 pub(crate) const fn one_norm(v: F32x3) -> f32 {
     v.x.abs() + v.y.abs() + v.z.abs()
 }

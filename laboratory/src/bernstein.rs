@@ -1,8 +1,9 @@
 //! How wrong the roots of a Bézier curve's ordinates are.
 //!
-//! As [`judge`](crate::judge) has it for coefficients: changing every ordinate by δ relative changes g(u) by at most
-//! `δ·Σ |bⱼ|·Bⱼ(u)`. A root may besides have been moved by rounding, since beside u = 1 no float is near enough; so it is
-//! judged by the least of the values within that, and where the sign changes within that, it is 0.
+//! As [`judge`](crate::judge) has it for coefficients: changing every ordinate by δ relative changes g(u) by
+//! at most `δ·Σ |bⱼ|·Bⱼ(u)`. A root may besides have been moved by rounding, since beside u = 1 no float is
+//! near enough; so it is judged by the least of the values within that, and where the sign changes within
+//! that, it is 0.
 
 use crate::exact::{Exact, Polynomial, exact, float, quotient, sign};
 use dashu_base::Abs;

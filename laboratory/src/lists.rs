@@ -1,19 +1,23 @@
 //! How wrong a list of roots is: not each root by itself, but that these are the roots, and all of them.
 //!
-//! "The roots in [lo, hi] are these" is made true by a change of the coefficients if, for the cubic so changed, every root
-//! listed is one, and between them its signs alternate. The change is measured as in [`judge`](crate::judge), in units of
-//! 2⁻²⁴ of each coefficient. Four figures come of it:
+//! "The roots in [lo, hi] are these" is made true by a change of the coefficients if, for the cubic so
+//! changed, every root listed is one, and between them its signs alternate. The change is measured as in
+//! [`judge`](crate::judge), in units of 2⁻²⁴ of each coefficient. Four figures come of it:
 //!
-//! - `alone`: what makes each root by itself a root, and each stretch between two by itself of its sign. A lower bound.
+//! - `alone`: what makes each root by itself a root, and each stretch between two by itself of its sign. A
+//!   lower bound.
 //! - `double`: what makes two equal ones a double root, to the exact least.
-//! - `joint`: what makes all of them the roots of one cubic, to the exact least. Not to be asked for: where c2 = 0 no three
-//!   floats whose sum is not zero are, though they be the nearest to the roots. But what keeps it keeps all.
-//! - [`is_certain`]: whether a cubic is known that differs by no more than so many units, and has as many roots in [lo, hi].
+//! - `joint`: what makes all of them the roots of one cubic, to the exact least. Not to be asked for: where
+//!   c2 = 0 no three floats whose sum is not zero are, though they be the nearest to the roots. But what
+//!   keeps it keeps all.
+//! - [`is_certain`]: whether a cubic is known that differs by no more than so many units, and has as many
+//!   roots in [lo, hi].
 //!
-//! The least relative change δ of all coefficients cⱼ that meets linear conditions `Σⱼ aᵢⱼ·c̃ⱼ = 0` is by duality the
-//! largest `|Σᵢ λᵢ·gᵢ| / Σⱼ |cⱼ|·|Σᵢ λᵢ·aᵢⱼ|` over all λ, gᵢ what the given cⱼ leave of a condition. For one condition that
-//! is |g|/size. For two it is largest where a term of the denominator vanishes, between which it is a ratio of linear
-//! functions. Three roots leave a cubic but one factor to choose.
+//! The least relative change δ of all coefficients cⱼ that meets linear conditions `Σⱼ aᵢⱼ·c̃ⱼ = 0` is by
+//! duality the largest `|Σᵢ λᵢ·gᵢ| / Σⱼ |cⱼ|·|Σᵢ λᵢ·aᵢⱼ|` over all λ, gᵢ what the given cⱼ leave of a
+//! condition. For one condition that is |g|/size. For two it is largest where a term of the denominator
+//! vanishes, between which it is a ratio of linear functions. Three roots leave a cubic but one factor to
+//! choose.
 
 use crate::exact::{Exact, Polynomial, exact, float, quotient, sign};
 use dashu_base::Abs;
@@ -110,10 +114,12 @@ fn triple(g: &Polynomial, [p, q, r]: [&Exact; 3]) -> f64 {
     if least <= 0.0 { 1.0 } else { (most - least) / (most + least) }
 }
 
-/// Whether a cubic is known whose coefficients differ by `units` at most, and that has `count` roots in [lo, hi].
+/// Whether a cubic is known whose coefficients differ by `units` at most, and that has `count` roots in
+/// [lo, hi].
 ///
-/// Looked at are those whose c1, c2 and c3 differ by multiples of a quarter of `units`, each with every constant term that
-/// makes a difference: between two values for which an end of the interval or a critical point is a root.
+/// Looked at are those whose c1, c2 and c3 differ by multiples of a quarter of `units`, each with every
+/// constant term that makes a difference: between two values for which an end of the interval or a critical
+/// point is a root.
 pub fn is_certain(g: &Polynomial, [lo, hi]: [&Exact; 2], count: usize, units: f64) -> bool {
     const STEPS: i32 = 9;
     let mut numbers: Vec<i32> = (0..STEPS.pow(3)).collect();
@@ -130,7 +136,8 @@ pub fn is_certain(g: &Polynomial, [lo, hi]: [&Exact; 2], count: usize, units: f6
     })
 }
 
-/// The cubic with constant terms that differ by `units` at most: one for each number of roots that they can bring.
+/// The cubic with constant terms that differ by `units` at most: one for each number of roots that they can
+/// bring.
 fn levels(g: &Polynomial, [lo, hi]: [&Exact; 2], units: f64) -> Vec<Polynomial> {
     let most = g.0[0].clone().abs() * exact(units / UNITS);
     let least = -&most;

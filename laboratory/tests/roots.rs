@@ -1,5 +1,5 @@
-//! Lists of roots: how many a cubic may have, in ascending order, within the interval, and the first of them as
-//! `first_root` finds it.
+//! Lists of roots: how many a cubic may have, in ascending order, within the interval, and the first of them
+//! as `first_root` finds it.
 //!
 //! ```text
 //! cargo test -p embedded-lathe-laboratory --test roots                             a share of the double roots
@@ -31,8 +31,9 @@ fn check<S: Solver>(c: [f32; 4], lo: f32, hi: f32) -> usize {
 fn parabolas_have_two<S: Solver>() {
     assert!(check::<S>([1.0, -2.0, 1.0, 0.0], 0.0, 1.0) <= 2);
 
-    // Its roots are 0.99999396 and 1, 6·10⁻⁶ apart. Four units of each coefficient are 16·2⁻²⁴ of the leading one at
-    // u = 1, and so move a double root by up to √(16·2⁻²⁴): both may be found at their middle, or apart.
+    // Its roots are 0.99999396 and 1, 6·10⁻⁶ apart. Four units of each coefficient are 16·2⁻²⁴ of the leading
+    // one at u = 1, and so move a double root by up to √(16·2⁻²⁴): both may be found at their middle, or
+    // apart.
     let c = [6.6305213, -13.261083, 6.6305614, 0.0];
     assert_eq!(check::<S>(c, 0.0, 1.0), 2);
     let off = |root: &f32| (f64::from(*root) - 0.999_997).abs();
@@ -40,7 +41,8 @@ fn parabolas_have_two<S: Solver>() {
     assert!(roots.iter().all(|root| off(root) <= (16.0 * (-24_f64).exp2()).sqrt()), "{roots:?}");
 }
 
-/// A parabola whose two roots, or their lack, are within rounding of each other and near the end of the interval.
+/// A parabola whose two roots, or their lack, are within rounding of each other and near the end of the
+/// interval.
 fn double_root_near_the_end(rng: &mut ChaCha8Rng) -> [f32; 4] {
     let offset = 10_f64.powf(rng.random_range(-8.0..-2.0));
     let root = 1.0 - if rng.random() { offset } else { -offset };
@@ -84,7 +86,8 @@ fn of_any_bits<S: Solver>() {
     assert!(with_roots > 3_000, "{with_roots}");
 }
 
-/// Where rounding is most of a value: a cubic with a root of any multiplicity, over an interval about that root.
+/// Where rounding is most of a value: a cubic with a root of any multiplicity, over an interval about that
+/// root.
 fn about_a_root<S: Solver>() {
     let mut rng = ChaCha8Rng::seed_from_u64(1591);
     for _ in 0..100_000 {

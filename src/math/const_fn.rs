@@ -1,12 +1,14 @@
-//! A square root, a sine and a cosine that a `const` can call: `core` has none yet, and neither have the
-//! libraries.
+//! A square root, a sine and a cosine as `const fn`s, which neither `core` nor the libraries have yet.
 //!
-//! For what is computed once, when a scene is made. Additions and multiplications in a fixed order, so the
-//! compiler, the host and the target find the same bits.
+//! They compute what is computed once, when a scene is made. Operations in a fixed order, each correctly
+//! rounded, give the same bits in the compiler, on the host and on the target.
 
-/// √x for positive normal x, within one unit in the last place; 0 for anything else.
+/// Returns √x, within one unit in the last place, for positive normal x, and 0 for any other x, NaN too.
 ///
-/// Heron's rule, `y ← (y + x/y)/2`, from half the exponent: 6 % off, then 2·10⁻³, 2·10⁻⁶, 2·10⁻¹², rounding.
+/// Heron's rule, `y ← (y + x/y)/2`, four times. From a relative error e it leaves e²/(2 + 2·e): of the seed's
+/// ±3.48 % 6.3·10⁻⁴, then 2·10⁻⁷, 2·10⁻¹⁴, and rounding. The seed is half the bits of x, which halves the
+/// exponent, plus half the bits of 1, 0x1fc0_0000, less 0.0366·2²³: halving a mantissa makes up to 7 % too much,
+/// never too little, and this makes the error the same to both sides.
 pub const fn sqrt(x: f32) -> f32 {
     if !(x >= f32::MIN_POSITIVE && x < f32::INFINITY) {
         return 0.0;
@@ -20,12 +22,14 @@ pub const fn sqrt(x: f32) -> f32 {
     y
 }
 
-/// Sine and cosine of an angle in radians, each within 2·10⁻⁷ for |angle| up to 10 000, NaN from 10 001 on.
+/// Returns the sine and the cosine of an angle in radians, each within 2·10⁻⁷ for |angle| up to 10 000, and
+/// NaN from 10 001 on.
 ///
-/// The angle less the nearest multiple of π/2 (held in three parts, so that taking the first two off is exact; Cody and
-/// Waite 1980), then Taylor's series over [−π/4, π/4], whose first omitted terms are below 2·10⁻⁹ and 2.5·10⁻⁸.
+/// The angle less the nearest multiple of π/2 (held in three parts, so that taking the first two off is
+/// exact; Cody and Waite 1980), then Taylor's series over [−π/4, π/4], whose first omitted terms are below
+/// 2·10⁻⁹ and 2.5·10⁻⁸.
 pub const fn sin_cos(angle: f32) -> (f32, f32) {
-    // 10 000 is no more than so many.
+    // The quarter turns in 10 000 radians: 10 000·2/π = 6366.2.
     const MOST: u32 = 6_366;
     const PARTS: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_79e-8];
     let quarters = (angle * core::f32::consts::FRAC_2_PI + if angle < 0.0 { -0.5 } else { 0.5 }) as i32;

@@ -2,8 +2,7 @@ use super::Math;
 
 /// The [libm](https://docs.rs/libm) crate: pure Rust, the same bits on every machine.
 ///
-/// Its `cbrt` and `cos` work in f64 inside, which costs more than a thousand instructions each on a
-/// Cortex-M4F.
+/// Its `cbrt` and `cos` compute in f64 internally: more than a thousand instructions each on a Cortex-M4F.
 ///
 /// ```
 /// use embedded_lathe::math::{Libm, Math};

@@ -1,10 +1,10 @@
 use super::Math;
 use micromath::F32Ext;
 
-/// The [micromath](https://docs.rs/micromath) crate: small and fast, and off by a few percent.
+/// The [micromath](https://docs.rs/micromath) crate: small, fast, and within a few percent.
 ///
-/// Its functions serve as seeds. The root is brought to full accuracy by three Newton steps on `1/√x`,
-/// `y ← y·(3/2 − x/2·y²)`, each of which squares the relative error: 3.5 %, 0.2 %, 5·10⁻⁶, rounding. It takes
+/// Its functions serve as seeds. The square root is brought to full accuracy by three Newton steps on `1/√x`,
+/// `y ← y·(3/2 − x/2·y²)`, each of which squares the relative error: 3.5 %, 0.2 %, 5·10⁻⁶, rounding. There is
 /// no division.
 ///
 /// ```
@@ -18,10 +18,10 @@ pub struct Micromath;
 
 impl Math for Micromath {
     fn sqrt(x: f32) -> f32 {
-        // Numbers too small for the steps are brought up by 2⁴⁸ first, and their roots down by 2⁻²⁴.
+        // Below 10⁻³⁰ intermediate results would be too small: x is scaled by 2⁴⁸, and its root by 2⁻²⁴.
         let (x, back) = if x < 1.0e-30 { (x * TWO_TO_48, TWO_TO_MINUS_24) } else { (x, 1.0) };
         if !(x > 0.0 && x < f32::INFINITY) {
-            // ±0 and +∞ are their own roots; the rest has none.
+            // ±0 and +∞ are their own roots. The root of a negative number or NaN is NaN.
             return if x >= 0.0 { x } else { f32::NAN };
         }
         let half = 0.5 * x;
@@ -30,7 +30,7 @@ impl Math for Micromath {
             y *= 1.5 - half * y * y;
         }
         let root = x * y;
-        // One correction of the root itself takes out the rounding of x·y.
+        // One correction of the root itself removes the rounding of x·y.
         (root + 0.5 * y * (x - root * root)) * back
     }
 

@@ -1,6 +1,7 @@
 use super::{Libm, Math};
 
-/// The best correctly rounded root of the machine, and [`Libm`] for the rest. The renderer's choice.
+/// The machine's own correctly rounded square root where it has one, and [`Libm`] for the rest. The renderer
+/// uses this backend.
 ///
 /// | machine | root |
 /// |---|---|
@@ -40,8 +41,8 @@ impl Math for Native {
 #[allow(unsafe_code)]
 fn sqrt(x: f32) -> f32 {
     let root: u32;
-    // SAFETY: `eabihf` promises the unit; the three instructions touch a core register and `s0`, nothing
-    // else.
+    // SAFETY: the target's ABI, `eabihf`, guarantees a floating-point unit. The three instructions change one
+    // core register and `s0`, both declared.
     unsafe {
         core::arch::asm!(
             "vmov s0, {x}",

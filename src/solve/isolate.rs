@@ -3,13 +3,13 @@ use crate::cubic::Cubic;
 use crate::math::Math;
 use crate::math::minmax::{greater, lesser};
 
-/// Where a cubic first crosses zero: it is positive from `lo` to the crossing, and negative, or zero, at `hi`. There is
-/// no other crossing between them.
+/// A bracket for one root: the cubic is positive from `lo` to the crossing, and negative or zero at `hi`.
+/// Between them it crosses zero once.
 ///
 /// ```
 /// use embedded_lathe::{Cubic, math::Native, solve::{Piece, Solver, refine}};
 ///
-/// /// Bisection: a solver without an idea of its own.
+/// /// A solver that leaves all to `refine`, from the middle of the piece.
 /// struct Middle;
 ///
 /// impl Solver for Middle {
@@ -28,16 +28,16 @@ use crate::math::minmax::{greater, lesser};
 pub struct Piece {
     /// Where the interval begins.
     pub lo: f32,
-    /// Where it ends, or the minimum if that comes before.
+    /// Where the interval ends, or the minimum if that comes before.
     pub hi: f32,
-    /// How it falls.
+    /// Which of the cubic's critical points bound the piece.
     pub fall: Fall,
-    /// `√(c2² − 3·c3·c1)`: half the second derivative at the minimum, and its negative at the maximum. Zero if
-    /// there is neither.
+    /// `√(c2² − 3·c3·c1)`: half the second derivative at the minimum, and minus half of it at the maximum.
+    /// Zero if the cubic has no critical points.
     pub bend: f32,
-    /// The minimum. Infinite or not a number if there is none.
+    /// Where the cubic has its minimum. Infinite or NaN if it has none.
     pub minimum: f32,
-    /// How far below zero the cubic is there.
+    /// Minus the value at the minimum.
     pub depth: f32,
 }
 
@@ -45,16 +45,16 @@ pub struct Piece {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Fall {
-    /// It has no turning points.
+    /// The cubic has no critical points.
     Straight,
-    /// On the way to its minimum, within the interval or beyond.
+    /// It falls to its minimum, which lies in the interval or beyond, and is zero or less.
     ToMinimum,
-    /// On the way from its maximum, and no minimum below zero comes first.
+    /// It falls from its maximum, and has no minimum below zero before.
     FromMaximum,
 }
 
 impl Piece {
-    /// Where the cubic is greatest, if it has turning points. Infinite or not a number if there is none.
+    /// Where the cubic has its maximum. Infinite or NaN if it has none.
     #[inline(always)]
     #[must_use]
     pub fn maximum(&self, g: &Cubic) -> f32 {
@@ -62,9 +62,10 @@ impl Piece {
     }
 }
 
-/// A turning point: `(−c2 ± s)/(3·c3)`, `s = √(c2² − 3·c3·c1)`, each from that form of the quadratic formula
-/// that adds two numbers of one sign, so that the one which stays finite as c3 → 0, the one near to zero, is
-/// found without dividing by it. The near one is the minimum if c2 ≥ 0.
+/// A critical point, `(−c2 ± bend)/(3·c3)`: the one nearer to zero, or the other.
+///
+/// Each is computed by that form of the quadratic formula that adds two numbers of one sign. So the one
+/// nearer to zero, which stays finite as c3 → 0, takes no division by c3. It is the minimum if c2 ≥ 0.
 #[inline(always)]
 fn turning(g: &Cubic, bend: f32, near: bool) -> f32 {
     let [_, c1, c2, c3] = g.c;
@@ -74,12 +75,12 @@ fn turning(g: &Cubic, bend: f32, near: bool) -> f32 {
     above / below
 }
 
-/// The cubic, turned round so that it starts positive, and the piece on which it first falls below zero, if
-/// there is one in [lo, hi].
+/// The cubic, negated if it starts below zero, and the piece of [lo, hi] on which it first falls to zero.
+/// `None` if it stays above zero up to `hi`.
 ///
-/// `positive` says how it starts, whatever rounding makes of its value there. From above zero it can come
-/// below only by falling, and then the minimum, or the interval's end, is below: two signs decide. That at the end is taken
-/// from the value there, unless the caller knows it better.
+/// `positive` is the sign at `lo`, whatever rounding makes of the value there. From above zero a cubic can
+/// only reach zero by falling, and then its value at the minimum, or at the interval's end, is zero or less:
+/// two signs decide. The sign at `hi` is taken from the value there, unless `ends_positive` gives it.
 #[inline(always)]
 fn first_piece<M: Math>(
     g: &Cubic,
@@ -109,9 +110,9 @@ fn first_piece<M: Math>(
 
 /// Where a cubic crosses zero in an interval, from its lower end on, one crossing at a time.
 ///
-/// The search goes from monotone piece to monotone piece. The sign at the end of a piece is decided once, when the
-/// piece is searched, and carried to the next one; each piece holds one crossing at most. So however the roots are
-/// rounded, a cubic has no more than three, and a parabola no more than two.
+/// The search goes from monotone piece to monotone piece. The sign at the end of a piece is decided once,
+/// when the piece is searched, and carried to the next one; each piece holds one crossing at most. So however
+/// the roots are rounded, a cubic has no more than three, and a parabola no more than two.
 pub(crate) struct Crossings<'a> {
     g: &'a Cubic,
     /// What is left to be searched.
@@ -130,14 +131,15 @@ impl<'a> Crossings<'a> {
         Self { g, lo, hi, positive, ends_positive: None }
     }
 
-    /// The same of a cubic whose sign at `hi` is known, too: the crossings are an odd number if the two differ.
+    /// The same of a cubic whose sign at `hi` is known, too: the crossings are an odd number if the two
+    /// differ.
     #[inline(always)]
     pub fn between(g: &'a Cubic, [lo, hi]: [f32; 2], [positive, ends_positive]: [bool; 2]) -> Self {
         Self { g, lo, hi, positive, ends_positive: Some(ends_positive) }
     }
 
-    /// The next point at which the cubic reaches the other sign, or zero, by the solver S. `None` if there is no other
-    /// up to `hi`.
+    /// The next point at which the cubic reaches the other sign, or zero, by the solver S. `None` if there is
+    /// no other up to `hi`.
     #[inline(always)]
     pub fn next<S: Solver>(&mut self) -> Option<f32> {
         if !(self.lo < self.hi) {
@@ -166,10 +168,13 @@ pub(super) fn first_critical<M: Math>(g: &Cubic, lo: f32, hi: f32) -> f32 {
     points.into_iter().filter(|&u| lo < u).fold(hi, lesser)
 }
 
-/// `√(c2² − 3·c3·c1)`, if that is positive.
+/// `√(c2² − 3·c3·c1)`, or `None` if the square is not positive: then the cubic has no critical points.
 ///
-/// The difference is that of a cubic whose c1 is off by 3 roundings at most. Where it cancels, so do the
-/// cubic's bends, and what g then does between its turning points is far below its rounding.
+/// The computed difference is exact for a cubic whose c1 is off by 3 roundings at most. Where it cancels, the
+/// critical points are so close together that g changes by far less than its rounding between them.
+///
+/// The products are of normal size if their difference is above 10⁻²⁴: f32's smallest normal number,
+/// 1.2·10⁻³⁸, is less than a 2⁻²⁴th of that, and so is what a product that underflows is off by.
 #[inline(always)]
 fn bend<M: Math>(g: &Cubic) -> Option<f32> {
     let [_, c1, c2, c3] = g.c;
@@ -177,8 +182,12 @@ fn bend<M: Math>(g: &Cubic) -> Option<f32> {
     if square > 1.0e-24 { Some(M::sqrt(square)) } else { slight_bend::<M>(c1, c2, c3) }
 }
 
-/// The same where it is nothing, or so little that the products may underflow; and nothing where it is so
-/// little that the nearer turning point lies beyond 2⁵⁰, about.
+/// [`bend`] where it is zero, or so small that the products may underflow. `None`, too, where |c1|/bend is
+/// 2⁵⁰ or more: so far off is then the nearer critical point, 2²⁰ times as far as intervals reach that are
+/// not rescaled.
+///
+/// Here c2² ≤ 3·c3·c1 but for 10⁻²⁴ = 2⁻⁸⁰. Times LIFT² = 2¹²⁰ small products are normal numbers; large ones
+/// overflow, and then their difference is −∞ or NaN, and the bend zero, as without lifting.
 #[cold]
 #[inline(never)]
 fn slight_bend<M: Math>(c1: f32, c2: f32, c3: f32) -> Option<f32> {

@@ -1,4 +1,5 @@
-//! The public solver library.
+//! The public solver library: the roots of a cubic in an interval, by solvers over mathematics libraries.
+//! Rays and pictures use nothing of it.
 
 mod bernstein;
 mod cardano;
@@ -21,21 +22,25 @@ use rescale::{is_tame, rescaled};
 /// How many roots a cubic has at most.
 const MOST: usize = 3;
 
-/// What [`Cubic::first_root`] and [`Cubic::roots`] use.
+/// The solver of [`Cubic::first_root`], [`Cubic::roots`] and the like, which name none. No picture is made
+/// with it.
 pub type DefaultSolver = Split<Native>;
 
 impl Cubic {
-    /// The smallest root in [lo, hi], by the crate's default method.
+    /// The smallest root in [lo, hi], by [`DefaultSolver`].
     ///
-    /// `None` where there is none, where a coefficient is not finite, and where not lo ≤ hi. Infinite ends
-    /// stand for the largest numbers. The zero polynomial vanishes first at lo.
+    /// `None` if there is no root, if a coefficient is infinite or NaN, and unless lo ≤ hi. An infinite end
+    /// stands for the largest finite number. Of the zero polynomial the first root is lo.
     #[must_use]
     pub fn first_root(&self, lo: f32, hi: f32) -> Option<f32> {
         self.first_root_by::<DefaultSolver>(lo, hi)
     }
 
-    /// The roots in [lo, hi] in ascending order, by the crate's default method: at most three, a double root
-    /// as two that are equal or not at all, as rounding decides.
+    /// The roots in [lo, hi] in ascending order, by [`DefaultSolver`]: no more than the degree. A double root
+    /// is found as two that are equal or close, as one at an end of the interval, or not at all, as rounding
+    /// decides.
+    ///
+    /// Empty where [`Cubic::first_root`] is `None`, and otherwise with that for its first.
     ///
     /// ```
     /// use embedded_lathe::Cubic;
@@ -48,7 +53,7 @@ impl Cubic {
         self.roots_by::<DefaultSolver>(lo, hi)
     }
 
-    /// [`Cubic::first_root`] by the method S.
+    /// [`Cubic::first_root`] by the solver S.
     #[must_use]
     pub fn first_root_by<S: Solver>(&self, lo: f32, hi: f32) -> Option<f32> {
         if !is_tame(self, lo, hi) {
@@ -58,7 +63,7 @@ impl Cubic {
         if start == 0.0 { Some(lo) } else { first_crossing::<S>(self, lo, hi, start > 0.0) }
     }
 
-    /// [`Cubic::roots`] by the method S.
+    /// [`Cubic::roots`] by the solver S.
     #[must_use]
     pub fn roots_by<S: Solver>(&self, lo: f32, hi: f32) -> Vec<f32, 3> {
         if !is_tame(self, lo, hi) {
@@ -70,10 +75,11 @@ impl Cubic {
     }
 }
 
-/// Appends the roots of `g` in [lo, hi], times `unit`, until there are `most` of them. Returns the sign at `hi`.
+/// Appends the roots of `g` in [lo, hi], times `unit`, until there are `most` of them. Returns the sign at
+/// `hi`.
 ///
-/// `sign` is that at `lo`, if it has been decided; if not, and the value there is zero, `lo` is a root, and the search
-/// goes on with the sign at the end of the monotone piece that begins there.
+/// `sign` is that at `lo`, if it has been decided; if not, and the value there is zero, `lo` is a root, and
+/// the search goes on with the sign at the end of the monotone piece that begins there.
 fn collect<S: Solver>(
     g: &Cubic,
     [lo, hi]: [f32; 2],

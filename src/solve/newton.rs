@@ -2,12 +2,15 @@ use super::{Piece, Solver};
 use crate::cubic::Cubic;
 use crate::math::{Native, UNIT_ROUNDOFF};
 
-/// Of Newton's steps and halvings. Halvings alone would take 25.
+/// The most steps, of Newton's and halvings together. Halvings alone would take 25 to bring the bracket to
+/// 2⁻²⁴ of the piece; twice that, and a few, leave as many steps of Newton's that come to nothing.
 const MOST_STEPS: u32 = 64;
 
-/// Newton's method in a bracket, no more: a step that leaves it is replaced by its middle.
+/// Newton's method in a bracket: a step that leaves the bracket is replaced by the bracket's middle. It ends
+/// at a value within 2⁻²⁴ of its terms, which is rounding, or at a step within 2⁻²⁴ of the piece.
 ///
-/// The smallest solver, for rays that are seldom asked about.
+/// The smallest solver. Rays use it that the fast path leaves undecided, which are few, so its speed matters
+/// little.
 pub(crate) struct Newton;
 
 impl Solver for Newton {
@@ -49,8 +52,8 @@ mod tests {
     use rand::rngs::ChaCha8Rng;
     use rand::{RngExt, SeedableRng};
 
-    /// Roots are where the default solver says that there are any, and as good as that promises, but for the last step:
-    /// well separated ones, and those of which two are nearly one.
+    /// Roots are where the default solver says that there are any, and as good as that promises, but for the
+    /// last step: well separated ones, and those of which two are nearly one.
     #[test]
     fn as_good_as_any() {
         let mut rng = ChaCha8Rng::seed_from_u64(1995);

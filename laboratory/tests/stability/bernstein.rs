@@ -25,8 +25,8 @@ fn decades(rng: &mut ChaCha8Rng, from: f64) -> f64 {
     10_f64.powf(rng.random_range(from..0.0)) * if rng.random() { 1.0 } else { -1.0 }
 }
 
-/// The ordinates of `lead·(u − p)·(u − q)·(u − r)`, each by `(1 − u)` and `u` as they are known best: a root is given as
-/// the two of them.
+/// The ordinates of `lead·(u − p)·(u − q)·(u − r)`, each by `(1 − u)` and `u` as they are known best: a root
+/// is given as the two of them.
 fn with_roots(roots: [[f64; 2]; 3], lead: f64) -> [f32; 4] {
     // (u·v₀ − u₀·v)(…)(…), v = 1 − u: products of [−u₀, v₀] in powers of v and u.
     let mut powers = vec![lead];

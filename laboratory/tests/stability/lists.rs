@@ -1,5 +1,5 @@
-//! All roots of a cubic, judged as one answer: each is a root, the signs between them alternate, and one cubic within the
-//! promise has as many.
+//! All roots of a cubic, judged as one answer: each is a root, the signs between them alternate, and one
+//! cubic within the promise has as many.
 
 use embedded_lathe::Cubic;
 use embedded_lathe::solve::{BACKWARD_ERROR, Solver};
@@ -31,7 +31,8 @@ impl Worst {
         let promise = f64::from(BACKWARD_ERROR);
         let said = || format!("{name}: {question:?}: {roots:?}, {verdict:?}");
         assert!(verdict.alone <= promise && verdict.double <= promise, "{}", said());
-        // Beside a triple root at an end of the interval each sign may be rounding's, and then no one cubic has them all.
+        // Beside a triple root at an end of the interval each sign may be rounding's, and then no one cubic
+        // has them all.
         let is_certain =
             name == TRIPLE || is_certain(&g, [&lo, &hi], roots.len(), promise) || verdict.joint <= promise;
         assert!(is_certain, "{}: no cubic so near has as many roots", said());

@@ -14,8 +14,8 @@ impl Bernstein {
     /// How far rounding moves a root, in units of 2⁻²⁴ relative: a sum and a quotient.
     pub const ROUNDING: f32 = 2.0;
 
-    /// The smallest root in [0, 1], by [`DefaultSolver`]. `None` if there is none, or an ordinate is not finite.
-    /// The zero polynomial vanishes first at 0.
+    /// The smallest root in [0, 1], by [`DefaultSolver`]. `None` if there is none, or an ordinate is not
+    /// finite. The zero polynomial vanishes first at 0.
     ///
     /// Cost: 263 instructions on a Cortex-M4F, the mean of `cargo run --example bench` (`ordinates native`).
     #[must_use]
@@ -23,8 +23,8 @@ impl Bernstein {
         self.first_root_by::<DefaultSolver>()
     }
 
-    /// The roots in [0, 1] in ascending order, by [`DefaultSolver`]: at most three. A double root is found as two that
-    /// are equal or close, as one at an end of the interval, or not at all, as rounding decides.
+    /// The roots in [0, 1] in ascending order, by [`DefaultSolver`]: at most three. A double root is found as
+    /// two that are equal or close, as one at an end of the interval, or not at all, as rounding decides.
     ///
     /// ```
     /// use embedded_lathe::Bernstein;

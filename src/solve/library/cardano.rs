@@ -4,19 +4,19 @@ use crate::math::{Math, Native};
 use crate::solve::{Fall, Piece, Solver};
 use core::marker::PhantomData;
 
-/// Cardano's formula, held in its monotone piece and refined.
+/// Cardano's formula, and [`refine`](fn@refine) from the root that it gives. A tag, of which no value exists.
 ///
 /// With `X = 3·c3·u + c2`, the cubic becomes `X³ − 3·D·X + N = 0`, `D = c2² − 3·c3·c1`,
 /// `N = 2·c2³ − 9·c3·c2·c1 + 27·c3²·c0`:
 ///
-/// - no turning point, or the root beyond the outer ones where only it is real: one cube root, `X = z + D/z`,
-///   `z³ = −(N ± √(N² − 4·D³))/2`, the sign that adds;
-/// - three real roots: `X = 2·√D·cos(θ)`, `cos(3θ) = −N/(2·√D³)`, θ by the piece.
+/// - one real root: `X = y + D/y`, `y³ = −(N ± √(N² − 4·D³))/2`, with the sign that adds two numbers of one
+///   sign;
+/// - three real roots: `X = 2·√D·cos(θ)`, `cos(3θ) = −N/(2·√D³)`, with the θ that belongs to the piece.
 ///
-/// (Cardano 1545, Viète 1591.) Going back divides by c3, and `X − c2` cancels as c3 → 0: where that throws
-/// the seed out of the piece it is the quadratic's, `c0 + c1·u + c2·u²`, in the form that does not cancel.
-/// What else the formula loses beside a double root, and what rough functions lose anywhere, the refinement
-/// restores.
+/// (Cardano 1545, Viète 1591.) The root is `u = (X − c2)/(3·c3)`, which cancels as c3 → 0. If that u lies
+/// outside the piece, the root of `c0 + c1·u + c2·u²` is taken, by the form that does not cancel. The formula
+/// also loses accuracy beside a double root, and with inaccurate functions everywhere; [`refine`](fn@refine)
+/// restores it.
 ///
 /// Sound for every finite cubic over every backend; see the [module](crate::solve) for the bound.
 ///
@@ -26,8 +26,7 @@ use core::marker::PhantomData;
 /// let roots = Cubic::new([0.0, -1.0, 0.0, 1.0]).roots_by::<Cardano<Libm>>(-2.0, 2.0);
 /// assert_eq!(roots, [-1.0, 0.0, 1.0]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Debug)]
 pub struct Cardano<M = Native>(PhantomData<M>);
 
 impl<M: Math> Solver for Cardano<M> {
@@ -46,20 +45,20 @@ fn cubic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
     let x = if 4.0 * d * d * d > n * n {
         let root_d = M::sqrt(d);
         let theta = M::acos((-n / (2.0 * root_d * d)).clamp(-1.0, 1.0)) / 3.0;
-        2.0 * root_d * M::cos(theta + turn(piece, c3))
+        2.0 * root_d * M::cos(theta + third(piece, c3))
     } else {
         let square = n * n - 4.0 * d * d * d;
         let root = M::sqrt(if square > 0.0 { square } else { 0.0 });
-        let z = M::cbrt(-0.5 * if n < 0.0 { n - root } else { n + root });
-        z + d / z
+        let y = M::cbrt(-0.5 * if n < 0.0 { n - root } else { n + root });
+        y + d / y
     };
     (x - c2) / (3.0 * c3)
 }
 
-/// Which of the three angles belongs to the piece. X falls with θ; u rises with X if c3 > 0. A cubic that
-/// falls between its turning points has c3 > 0.
-fn turn(piece: &Piece, c3: f32) -> f32 {
-    const THIRD: f32 = 2.094_395_2;
+/// What is added to θ, in [0, 60°], so that X belongs to the root in the piece. X falls with θ; u rises with
+/// X if c3 > 0. A cubic that falls between its critical points has c3 > 0.
+fn third(piece: &Piece, c3: f32) -> f32 {
+    const THIRD: f32 = 2.0 * core::f32::consts::FRAC_PI_3;
     match piece.fall {
         _ if c3 > 0.0 => -THIRD, // cos(θ − 120°), θ in [0, 60°]: the middle root
         Fall::ToMinimum => 0.0,
@@ -67,7 +66,7 @@ fn turn(piece: &Piece, c3: f32) -> f32 {
     }
 }
 
-/// The root of `c0 + c1·u + c2·u²` in the piece: beside the turning point, on the piece's side of it.
+/// The root of `c0 + c1·u + c2·u²` in the piece, or the other one if neither is.
 fn quadratic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
     let [c0, c1, c2, _] = g.c;
     let square = c1 * c1 - 4.0 * c2 * c0;

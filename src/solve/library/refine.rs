@@ -3,31 +3,33 @@ use crate::math::UNIT_ROUNDOFF;
 use crate::math::minmax::lesser;
 use crate::solve::{Fall, Piece};
 
-/// Bisection alone would need one step a bit of the result, 24, after as many as the exponents differ.
-/// Newton's needs two or three; the rest is for those who call with an interval like ±10³⁸ and a bad seed.
+/// The most steps. Bisection alone takes 24, one a bit of the result, after as many as the exponents of the
+/// interval's length and of the root differ by: 152 for a root of 1 in an interval of the length 2¹²⁸. From a
+/// fair seed two or three steps are taken.
 const MOST_STEPS: u32 = 160;
 
-/// The root of `g` in a piece, by Newton's method from any seed, NaN too: a poor one costs time, never the
-/// answer. For solvers whose seeds are poor, or poor at times: `g` as a [`Solver`](super::Solver) is given it, above zero
-/// where the piece begins. [`Piece`] has an example.
+/// The root of `g` in a piece, by Newton's method in a bracket, from any seed, NaN too: a bad seed costs
+/// time, never accuracy. For a [`Solver`](crate::solve::Solver) whose closed form is inaccurate; `g` and
+/// `piece` are those that it is given, so `g` is above zero where the piece begins. [`Piece`] has an example.
 ///
-/// Cost: from a fair seed two or three steps, each with a division, and 160 at most.
+/// Cost: from a fair seed two or three steps, each with a division; 160 at most.
 ///
-/// Held in the bracket that the signs of `g` draw ever closer; a step that leaves the bracket is replaced by
-/// its middle. After a step d from u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`.
+/// The signs of `g` narrow the bracket; a step that leaves it is replaced by its middle. After a step d from
+/// u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`.
 ///
-/// Two ways out, both bounds on the value: one that is within its own rounding has no sign to go by, only a
-/// last step to offer; and one that remains after a step may be below a rounding. Beside a turning point the
-/// slope is mostly rounding: no step is longer than half the way to it, and every fourth of those is replaced
-/// by the bracket's middle, for from a bad seed they could go on for long.
+/// The search ends when the value is below two roundings, since its sign is then uncertain, or when what
+/// remains after a step is below an eighth of a rounding, so that another step would change no bit but the
+/// last. Beside a critical point the slope is mostly rounding: no step is longer than half the way to it.
+/// From a bad seed such steps could go on for long, each halving that way; so every fourth of them is
+/// replaced by the bracket's middle, which bounds their number by four times bisection's.
 #[inline(never)]
 #[must_use]
 pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
     let [c0, _, c2, c3] = g.c;
-    // What the crossing lies between, and nothing else, limits a step.
+    // A critical point limits steps only if it bounds the crossing's bracket.
     let top = if piece.fall == Fall::Straight { f32::NEG_INFINITY } else { piece.maximum(g) };
     let (mut lo, mut hi) = (if piece.lo < top && top < piece.hi { top } else { piece.lo }, piece.hi);
-    // At zero no value is within its own rounding: what vanishes there is found there, doubly or triply too.
+    // At u = 0 a value has no rounding to be within: a root there, simple or multiple, is found by c0.
     if c0 == 0.0 && (lo < 0.0 || top == 0.0) && lo <= 0.0 && 0.0 <= hi {
         return 0.0;
     }
@@ -48,7 +50,7 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         let far = step.abs() > reach;
         let rest = step * step * (c2 + 3.0 * c3 * u - c3 * step);
         let last = !far && rest.abs() <= 0.125 * rounding;
-        // Not `<=`: far out both may be infinite.
+        // Not `<=`: far out both sides may be infinite.
         if value.abs() < 2.0 * rounding || value == 0.0 {
             u -= if last { step } else { 0.0 };
             break;

@@ -4,19 +4,21 @@ use crate::math::minmax::{greater, lesser};
 use crate::solve::Solver;
 use heapless::Vec;
 
-/// How far an interval may reach to be solved as it is.
+/// How far from zero an interval may reach to be solved as it is: the largest term is then (2³⁰)³·2²⁰ = 2¹¹⁰.
 pub(super) const TAME: f32 = (1_u64 << 30) as f32;
 
-/// From where on the unit is 2¹²⁰. (`wide`.)
+/// Beyond this the unit is 2¹²⁰. (See [`rescaled`].)
 const FAR: f32 = TAME * TAME * TAME;
 
-/// The largest coefficient may be from 2⁻²⁰ to 2²⁰ to be solved as it is.
+/// The largest coefficient must be from 2⁻²⁰ to 2²⁰ for a cubic to be solved as it is. This is 20 in a
+/// float's exponent.
 const RANGE: u32 = 20 << 23;
 
-/// Whether neither coefficients nor interval are so large, or so small, that a product may leave f32's range.
+/// Whether a cubic can be solved as it is: no product overflows, and one that underflows is below 2⁻¹⁰⁶ of
+/// the largest coefficient. False if a number is NaN, or unless lo ≤ hi.
 #[inline(always)]
 pub(super) fn is_tame(g: &Cubic, lo: f32, hi: f32) -> bool {
-    // Magnitudes are ordered as their bits are, NaN above all.
+    // The bits of magnitudes are ordered as the magnitudes are, NaN's above all others.
     let [b0, b1, b2, b3] = g.c.map(bits);
     let largest = b0.max(b1).max(b2.max(b3));
     let ends = bits(lo).max(bits(hi));
@@ -27,12 +29,13 @@ fn bits(x: f32) -> u32 {
     x.to_bits() & 0x7fff_ffff
 }
 
-/// The first roots of any cubic in any interval, `most` of them.
+/// The first roots of any cubic in any interval, ascending, `most` of them. Empty if a coefficient is not
+/// finite, or unless lo ≤ hi.
 ///
-/// The interval is cut at ±2³⁰ and ±2⁹⁰, and each part solved in a unit of its own, 2⁰, 2⁶⁰, 2¹²⁰, so that
-/// |u| is from 2⁻³⁰ (0 in the middle part) to 2³⁰ there, and the largest coefficient in [1, 2): then no power
-/// overflows, and a coefficient that underflows is below 2⁻³⁶ of the largest term. The sign at a cut is decided once, in
-/// the part that ends there.
+/// The interval is cut at ±2³⁰ and ±2⁹⁰, and each part is solved in a unit of its own, 2⁰, 2⁶⁰ or 2¹²⁰. There
+/// |u| is from 2⁻³⁰ (0 in the middle part) to 2³⁰, and the largest coefficient in [1, 2). So no power
+/// overflows, and a coefficient that underflows is below 2⁻³⁶ of the largest term: 2⁻¹²⁶ over (2⁻³⁰)³. The
+/// sign at a cut is decided once, in the part that ends there.
 #[cold]
 #[inline(never)]
 pub(super) fn rescaled<S: Solver>(g: &Cubic, lo: f32, hi: f32, most: usize) -> Vec<f32, 3> {
@@ -42,7 +45,7 @@ pub(super) fn rescaled<S: Solver>(g: &Cubic, lo: f32, hi: f32, most: usize) -> V
     if !(lo <= hi && g.c.iter().all(|c| c.is_finite())) {
         return roots;
     }
-    // Neither is NaN. Of [∞, ∞] no part is left.
+    // Neither end is NaN. Of [∞, ∞] no finite number is left, and so no part.
     let (lo, hi) = (greater(f32::MIN, lo), lesser(f32::MAX, hi));
     let mut sign = None;
     for (from, to, unit) in PARTS {
@@ -56,7 +59,7 @@ pub(super) fn rescaled<S: Solver>(g: &Cubic, lo: f32, hi: f32, most: usize) -> V
     roots
 }
 
-/// The cubic over another unit, 2ᵘⁿⁱᵗ, scaled by a power of two so that its largest coefficient is in [1, 2).
+/// The cubic in another unit, 2ᵘⁿⁱᵗ, scaled by a power of two so that its largest coefficient is in [1, 2).
 #[inline(never)]
 fn stretched(g: &Cubic, unit: i32) -> Cubic {
     let units = [0, unit, 2 * unit, 3 * unit];
@@ -71,13 +74,13 @@ fn stretched(g: &Cubic, unit: i32) -> Cubic {
     g
 }
 
-/// x·2ⁿ, in two factors, since one of 2ⁿ may not be normal.
+/// x·2ⁿ, multiplied in two steps, since 2ⁿ may lie outside f32's range.
 #[inline(never)]
 fn times_power(x: f32, n: i32) -> f32 {
     x * power(n / 2) * power(n - n / 2)
 }
 
-/// `⌊log₂|x|⌋`, far below all others if x is 0.
+/// `⌊log₂|x|⌋`, and −1000, which is below all others, if x is 0.
 #[inline(never)]
 fn exponent(x: f32) -> i32 {
     const LIFT: f32 = (1 << 24) as f32;
@@ -89,7 +92,7 @@ fn exponent(x: f32) -> i32 {
     }
 }
 
-/// 2ⁿ, or the nearest that is normal.
+/// 2ⁿ, or the nearest power of two that is a normal number.
 fn power(n: i32) -> f32 {
     f32::from_bits(((n + 127).clamp(1, 254) as u32) << 23)
 }

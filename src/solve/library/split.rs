@@ -1,27 +1,28 @@
-use super::inflection::{from_inflection, positive_root};
+use super::inflection::{Guess, from_inflection, positive_root};
 use crate::cubic::Cubic;
 use crate::math::{Math, Native};
 use crate::solve::{Fall, Piece, Solver};
 use core::marker::PhantomData;
 
-/// Split at the turning points, then a bent parabola. The crate's default.
+/// A parabola about the nearer critical point, corrected for the cubic term. The solver of
+/// [`Cubic::first_root`] and [`Cubic::roots`]. A tag, of which no value exists.
 ///
-/// At a distance d from the turning point nearest to the root, `|g| = height − bend·d² + c3·d³`. Without the
+/// At a distance d from the critical point nearest to the root, `|g| = height − bend·d² + c3·d³`. Without the
 /// last term the root is at `e = √(height/bend)`; with it at `e·Φ(b)`, `Φ²·(1 − b·Φ) = 1`, `b = c3·e/bend`.
-/// Towards the other turning point b runs up to `√6/9`, at the point of inflection, where the other is the
-/// nearer; away from it down without bound. Below −3/4, and where there is no turning point, the cubic term
-/// rules and the root is reckoned from the point of inflection. (`inflection.rs`.)
+/// Towards the other critical point b rises to `√6/9`, at the point of inflection, beyond which the other one
+/// is the nearer; in the other direction b falls without bound. Below −3/4, and where there is no critical
+/// point, the cubic term dominates, and the root is computed from the point of inflection. (`inflection.rs`.)
 ///
-/// Φ is a polynomial of five terms within 2.7·10⁻³ and a Newton step on its equation, 5.2·10⁻⁶. What that,
-/// and the rounding of the turning point, leaves is left to one Newton step on g itself, whose slope is
-/// `d·(2·bend − 3·c3·d)`, a product that does not cancel as d → 0. The step is quadratic: 10⁻¹¹·d remain. No
-/// bracket, no loop:
+/// Φ is computed by a polynomial of five terms, within 2.7·10⁻³, and a Newton step on its equation, which
+/// leaves 5.2·10⁻⁶. One Newton step on g removes that, and the rounding of the critical point; the slope is
+/// `d·(2·bend − 3·c3·d)`, a product that does not cancel as d → 0. Its convergence is quadratic: 10⁻¹¹·d
+/// remains. There is no bracket and no loop:
 ///
-/// - Beside a turning point rounding takes g's sign, and a step may be of any length. One of more than half
-///   of d is cut there: `bend·d²` is then below that rounding, and whatever lies within a few d is a root as
-///   good as any.
-/// - A root so near to zero that 10⁻¹¹·d is not little beside it starts at `−c0/c1` instead, which is then
-///   good to a 2⁻⁹.
+/// - Beside a critical point the sign of g is rounding's, and a step may have any length. A step longer than
+///   d/2 is cut to d/2: `bend·d²` is then below the rounding of g, and every point within a few d is an
+///   equally good root.
+/// - A root so near to zero that 10⁻¹¹·d is not small beside it is computed from `−c0/c1` instead, which is
+///   then within 2⁻⁹, and a Newton step.
 ///
 /// Sound for every finite cubic; see the [module](crate::solve) for the bound.
 ///
@@ -32,8 +33,7 @@ use core::marker::PhantomData;
 /// let root = g.first_root_by::<Split<Micromath>>(0.0, 1.0).unwrap();
 /// assert!((root - 0.5).abs() < 1e-7);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Debug)]
 pub struct Split<M = Native>(PhantomData<M>);
 
 impl<M: Math> Solver for Split<M> {
@@ -48,21 +48,14 @@ impl<M: Math> Solver for Split<M> {
     }
 }
 
-/// A root, but for the last Newton step: at `from + d`, where g has this slope.
-pub(super) struct Guess {
-    pub from: f32,
-    pub d: f32,
-    pub slope: f32,
-}
-
-/// About the nearer turning point.
+/// The root computed about the critical point that is nearer to it.
 #[inline(always)]
 fn from_turning<M: Math>(g: &Cubic, piece: &Piece) -> Guess {
     let [.., c3] = g.c;
     let bend = piece.bend;
     let per_bend = 1.0 / bend;
     let ratio = c3 * per_bend;
-    // Between its turning points the cubic falls if c3 > 0, and the minimum is nearer if b² ≤ 2/27.
+    // Between its critical points the cubic falls if c3 > 0, and the minimum is nearer if b² ≤ 2/27.
     let to_minimum = if c3 > 0.0 {
         13.5 * (piece.depth.abs() * ratio) * ratio <= bend
     } else {
@@ -85,21 +78,22 @@ fn from_turning<M: Math>(g: &Cubic, piece: &Piece) -> Guess {
     Guess { from, d: way * d, slope: -d * (2.0 * bend - 3.0 * c3 * d) }
 }
 
-/// Φ on [−3/4, √6/9]: `p0 + b·(p1 + b·(p2 + b·(p3 + b·p4)))`, least largest relative error 2.7·10⁻³, and a
-/// step of Newton's on `Φ²·(1 − b·Φ) − 1`, which leaves 5.2·10⁻⁶.
+/// Φ(b) for b in [−3/4, √6/9]: [`nearly_phi`], and a step of Newton's on `Φ²·(1 − b·Φ) − 1`, which leaves
+/// 5.2·10⁻⁶.
 fn phi(b: f32) -> f32 {
     let y = nearly_phi(b);
     let by = b * y;
     (1.0 + y * y * (1.0 - 2.0 * by)) / (y * (2.0 - 3.0 * by))
 }
 
-/// The polynomial alone.
+/// The polynomial of degree 4 with the least largest relative error on [−3/4, √6/9], 2.7·10⁻³. Fitted by
+/// Remez's exchange in `laboratory/tests/fits.rs`, which asserts these coefficients.
 #[inline(always)]
 fn nearly_phi(b: f32) -> f32 {
-    0.997_442_4 + b * (0.505_28 + b * (0.789_022_4 + b * (1.192_749_9 + b * 0.742_747_6)))
+    0.997_442_4 + b * (0.505_279_96 + b * (0.789_021_4 + b * (1.192_748_1 + b * 0.742_747_07)))
 }
 
-/// The last step.
+/// The last step: Newton's, at most half as long as d.
 #[inline(always)]
 fn newton(g: &Cubic, Guess { from, d, slope }: Guess) -> f32 {
     let [c0, c1, ..] = g.c;
@@ -113,7 +107,8 @@ fn newton(g: &Cubic, Guess { from, d, slope }: Guess) -> f32 {
     u - if step.abs() <= most { step } else { most.copysign(step) }
 }
 
-/// Whether `u` is below 2⁻⁹ of `from`, about: by the bits, whose difference is the logarithm's.
+/// Whether |u| is below 2⁻⁹·|from|, to a factor of 2: the difference of their bits is about 2²³ times that of
+/// their logarithms.
 #[inline(always)]
 fn is_lost(u: f32, from: f32) -> bool {
     let [u, from] = [u, from].map(|x| (x.to_bits() & 0x7fff_ffff) as i32);

@@ -2,7 +2,7 @@ use embedded_lathe::Cubic;
 use embedded_lathe::math::Math;
 use embedded_lathe::solve::{Cardano, Split};
 
-/// The crate's default.
+/// The crate's Split, which `Cubic::first_root` uses.
 pub fn split<M: Math>(&c: &[f32; 4], lo: f32, hi: f32) -> Option<f32> {
     Cubic::new(c).first_root_by::<Split<M>>(lo, hi)
 }

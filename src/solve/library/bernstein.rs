@@ -17,7 +17,7 @@ impl Bernstein {
     /// The smallest root in [0, 1], by [`DefaultSolver`]. `None` if there is none, or an ordinate is not
     /// finite. The zero polynomial vanishes first at 0.
     ///
-    /// Cost: 263 instructions on a Cortex-M4F, the mean of `cargo run --example bench` (`ordinates native`).
+    /// Cost: 301 instructions on a Cortex-M4F, the mean of `cargo run --example bench` (`ordinates native`).
     #[must_use]
     pub fn first_root(&self) -> Option<f32> {
         self.first_root_by::<DefaultSolver>()

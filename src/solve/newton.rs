@@ -1,5 +1,4 @@
-use super::piece::Piece;
-use super::solver::Solver;
+use super::{Piece, Solver};
 use crate::cubic::Cubic;
 use crate::math::{Native, UNIT_ROUNDOFF};
 

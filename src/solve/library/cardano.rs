@@ -1,4 +1,4 @@
-use super::refine::refine;
+use super::refine;
 use crate::cubic::Cubic;
 use crate::math::{Math, Native};
 use crate::solve::{Fall, Piece, Solver};

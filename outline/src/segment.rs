@@ -1,0 +1,106 @@
+//! One cubic in squared radius over height, in f64.
+
+use crate::bernstein;
+
+/// Between its two heights the squared radius is the cubic with these ordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// Its lower and its upper height.
+    pub z: [f64; 2],
+    /// The Bernstein ordinates of the squared radius.
+    pub b: [f64; 4],
+}
+
+/// What two segments that meet there share.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Knot {
+    pub z: f64,
+    /// The squared radius and its slope over height.
+    pub f: f64,
+    pub slope: f64,
+}
+
+impl Segment {
+    /// The one with these values and slopes at its ends.
+    pub(crate) fn between(low: Knot, high: Knot) -> Self {
+        let third = (high.z - low.z) / 3.0;
+        let b = [low.f, low.f + third * low.slope, high.f - third * high.slope, high.f];
+        Self { z: [low.z, high.z], b }
+    }
+
+    /// The one between two heights that passes through four knots, which lie from the lowest up; two that are one
+    /// stand for its value and its slope. `None` where they are no four conditions.
+    pub(crate) fn through(knots: [Knot; 4], z: [f64; 2]) -> Option<Self> {
+        let at = knots.map(|knot| knot.z);
+        let mut differences = knots.map(|knot| knot.f);
+        // Newton's divided differences, in place.
+        for level in 1..4 {
+            for i in (level..4).rev() {
+                differences[i] = if at[i] == at[i - level] {
+                    knots[i].slope
+                } else {
+                    (differences[i] - differences[i - 1]) / (at[i] - at[i - level])
+                };
+            }
+        }
+        let [d0, d1, d2, d3] = differences;
+        let knot = |z: f64| {
+            let [x0, x1, x2] = [z - at[0], z - at[1], z - at[2]];
+            let slope = d1 + d2 * (x0 + x1) + d3 * (x0 * x1 + x0 * x2 + x1 * x2);
+            Knot { z, f: d0 + x0 * (d1 + x1 * (d2 + x2 * d3)), slope }
+        };
+        let segment = Self::between(knot(z[0]), knot(z[1]));
+        (segment.b.iter().all(|b| b.is_finite()) && at.is_sorted()).then_some(segment)
+    }
+
+    /// Its numbers as they are printed: rounded to f32. The heights first, so that slopes stay what they are.
+    pub(crate) fn rounded(&self) -> Self {
+        let z = self.z.map(|z| f64::from(z as f32));
+        let stretch = (z[1] - z[0]) / (self.z[1] - self.z[0]);
+        let [b0, b1, b2, b3] = self.b;
+        let b = [b0, b0 + stretch * (b1 - b0), b3 + stretch * (b2 - b3), b3];
+        Self { z, b: b.map(|b| f64::from(b as f32)) }
+    }
+
+    /// Squared radius and slope at a height.
+    pub(crate) fn at(&self, z: f64) -> (f64, f64) {
+        self.cubic().at(z)
+    }
+
+    /// The same by powers.
+    pub(crate) fn cubic(&self) -> Cubic {
+        let [b0, b1, b2, b3] = self.b;
+        let c = [b0, 3.0 * (b1 - b0), 3.0 * (b2 - 2.0 * b1 + b0), b3 - b0 - 3.0 * (b2 - b1)];
+        Cubic { z: self.z[0], per_height: 1.0 / (self.z[1] - self.z[0]), c }
+    }
+
+    /// Whether the squared radius stays above zero, or touches it, by more than rounding to f32 can change.
+    pub(crate) fn is_solid(&self) -> bool {
+        let [b0, b1, b2, b3] = self.b;
+        if !(b0 >= 0.0 && b3 >= 0.0) {
+            return false;
+        }
+        if b1 >= 0.0 && b2 >= 0.0 {
+            return true;
+        }
+        let slope = [b1 - b0, b2 - b1, b3 - b2];
+        let size = b0.max(b1.abs()).max(b2.abs()).max(b3);
+        bernstein::zeros(&slope).into_iter().all(|u| bernstein::value(&self.b, u) > 1e-6 * size)
+    }
+}
+
+/// A segment's cubic by powers of u, constant term first.
+pub(crate) struct Cubic {
+    z: f64,
+    per_height: f64,
+    c: [f64; 4],
+}
+
+impl Cubic {
+    /// Squared radius and slope at a height.
+    pub(crate) fn at(&self, z: f64) -> (f64, f64) {
+        let u = (z - self.z) * self.per_height;
+        let [c0, c1, c2, c3] = self.c;
+        (c0 + u * (c1 + u * (c2 + u * c3)), (c1 + u * (2.0 * c2 + 3.0 * u * c3)) * self.per_height)
+    }
+}

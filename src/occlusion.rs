@@ -1,7 +1,8 @@
 //! In what order solids are painted, and which may hide which: far ones are painted before near ones.
 //!
-//! Where a plane separates two solids, with the eye on the near one's side, no ray meets the far one first. Only where no such
-//! plane is found must pixels ask which of the two is nearer. Any order gives the same picture; a good one is cheap.
+//! Where a plane separates two solids, with the eye on the near one's side, no ray meets the far one first.
+//! Only where no such plane is found must pixels ask which of the two is nearer. Any order gives the same
+//! picture; a good one is cheap.
 
 use crate::camera::{Camera, Projection};
 use crate::math::{UNIT_ROUNDOFF, const_fn};
@@ -9,20 +10,22 @@ use crate::solid::Solid;
 use crate::vector::{F32x3, difference, dot, scale};
 use core::slice;
 
-/// How much larger than what it is compared with a distance must be: one solid may stand on another, and the eye must not be
-/// in the very plane of a cap. A dot product of three terms is off by three units of roundoff, the support function by four.
+/// How much larger than what it is compared with a distance must be: one solid may stand on another, and the
+/// eye must not be in the very plane of a cap. A dot product of three terms is off by three units of
+/// roundoff, the support function by four.
 const ROUNDING: f32 = 1.0 + 8.0 * UNIT_ROUNDOFF;
 
-/// A separating distance along n must exceed this, times the square of the sum of both radii. The square of an n shorter than
-/// 10⁻¹⁹ underflows, and with it the support functions; the distance along it then is no more than 10⁻¹⁹ times that
-/// between the solids, and separates nothing.
+/// A separating distance along n must exceed this, times the square of the sum of both radii. The square of
+/// an n shorter than 10⁻¹⁹ underflows, and with it the support functions; the distance along it then is no
+/// more than 10⁻¹⁹ times that between the solids, and separates nothing.
 const LEAST: f32 = 1e-12;
 
-/// How far away the eye of parallel rays is taken to be, in sums of both radii: the direction to any point of the two is that
-/// of the rays within 2⁻²⁰.
+/// How far away the eye of parallel rays is taken to be, in sums of both radii: the direction to any point of
+/// the two is that of the rays within 2⁻²⁰.
 const FAR: f32 = 1_048_576.0;
 
-/// How many solids a [`PaintOrder`] keeps: as many as a `u32` has groups of four bits. More are ordered anew in every row.
+/// How many solids a [`PaintOrder`] keeps: as many as a `u32` has groups of four bits. More are ordered anew
+/// in every row.
 const KEPT: usize = 8;
 
 /// The order in which solids are painted, and which of them must be compared with the others pixel by pixel:
@@ -30,8 +33,8 @@ const KEPT: usize = 8;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct PaintOrder {
-    /// The indices of the farthest solids, 0 to 7 in four bits each, that of the farthest in the lowest. Of more than [`KEPT`]
-    /// solids none is kept.
+    /// The indices of the farthest solids, 0 to 7 in four bits each, that of the farthest in the lowest. Of
+    /// more than [`KEPT`] solids none is kept.
     indices: u32,
     /// Bit n is set if the n-th of them may be hidden by one that is painted before it.
     compared: u8,
@@ -40,13 +43,14 @@ pub(crate) struct PaintOrder {
 /// A solid in its turn.
 pub(crate) struct Painted<'a> {
     pub solid: &'a Solid<'a>,
-    /// The solids of which the nearest is seen where this one may be: it alone, or, if one painted before it may yet hide it,
-    /// all of them.
+    /// The solids of which the nearest is seen where this one may be: it alone, or, if one painted before it
+    /// may yet hide it, all of them.
     pub candidates: &'a [Solid<'a>],
 }
 
 impl PaintOrder {
-    /// The order of solids that a camera sees: the farthest first, and of two at the same distance the first in the slice.
+    /// The order of solids that a camera sees: the farthest first, and of two at the same distance the first
+    /// in the slice.
     #[inline(never)]
     pub const fn of(solids: &[Solid], camera: &Camera) -> Self {
         let mut order = Self { indices: 0, compared: 0 };
@@ -60,8 +64,9 @@ impl PaintOrder {
         order
     }
 
-    /// The solid that is painted as number `rank`, from 0 on; `None` if there are no more. `last` is the place of the solid
-    /// before it, at first [`FIRST`], and becomes this one's; only where no order is kept it is used.
+    /// The solid that is painted as number `rank`, from 0 on; `None` if there are no more. `last` is the
+    /// place of the solid before it, at first [`FIRST`], and becomes this one's; only where no order is kept
+    /// it is used.
     #[inline]
     pub fn painted<'a>(
         &self,
@@ -80,8 +85,8 @@ impl PaintOrder {
     }
 }
 
-/// A solid's place in the order: its distance's bits over the complement of its index, so that of two numbers the larger is
-/// painted first.
+/// A solid's place in the order: its distance's bits over the complement of its index, so that of two numbers
+/// the larger is painted first.
 pub(crate) type Place = u64;
 
 /// Before all others.
@@ -115,15 +120,16 @@ impl Camera {
         next
     }
 
-    /// The index of the solid that is painted after the one at place `last`, which becomes its place, and whether it must be
-    /// compared.
+    /// The index of the solid that is painted after the one at place `last`, which becomes its place, and
+    /// whether it must be compared.
     #[cold]
     fn painted_next(&self, solids: &[Solid], last: &mut Place) -> (usize, bool) {
         *last = self.painted_after(solids, *last);
         (index_of(*last), self.may_be_hidden(solids, *last))
     }
 
-    /// Whether the solid at a place may be hidden by one at no smaller distance: whether one of those is not separated from it.
+    /// Whether the solid at a place may be hidden by one at no smaller distance: whether one of those is not
+    /// separated from it.
     #[inline(never)]
     const fn may_be_hidden(&self, solids: &[Solid], place: Place) -> bool {
         let near = index_of(place);
@@ -142,8 +148,8 @@ impl Camera {
 }
 
 impl Solid<'_> {
-    /// The support function of the cylinder around the solid: how far it extends from its center in direction n, times n's
-    /// length. Infinite or NaN where n's square overflows.
+    /// The support function of the cylinder around the solid: how far it extends from its center in direction
+    /// n, times n's length. Infinite or NaN where n's square overflows.
     #[inline(never)]
     const fn support(&self, n: F32x3) -> f32 {
         let along = dot(n, self.axis());
@@ -153,15 +159,16 @@ impl Solid<'_> {
 }
 
 impl Camera {
-    /// The distance of a solid's center from the eye plus its radius, as bits: numbers that grow with it. With the radius, of
-    /// two solids in one place the smaller tends to be painted last, so that it is the one to be compared.
+    /// The distance of a solid's center from the eye plus its radius, as bits: numbers that grow with it.
+    /// With the radius, of two solids in one place the smaller tends to be painted last, so that it is the
+    /// one to be compared.
     #[inline(never)]
     const fn distance(&self, solid: &Solid) -> u32 {
         (length(solid.center_from(self.eye)) + solid.radius()).to_bits()
     }
 
-    /// Whether a plane is found that separates two solids, with the eye on the near one's side: then no ray meets the far one
-    /// first.
+    /// Whether a plane is found that separates two solids, with the eye on the near one's side: then no ray
+    /// meets the far one first.
     #[inline(never)]
     const fn sees_behind(&self, far: &Solid, near: &Solid) -> bool {
         let origin = near.position();
@@ -173,7 +180,8 @@ impl Camera {
             Projection::Perspective => away,
             Projection::Orthographic => scale(self.forward, FAR * radii),
         };
-        // Three normals are tried: across the far solid's axis, along it, and across the view of a point between the two.
+        // Three normals are tried: across the far solid's axis, along it, and across the view of a point
+        // between the two.
         let axial = scale(far.axis(), dot(between, far.axis()));
         let flat = difference(between, axial);
         let view = difference(away, scale(between, radius / radii));

@@ -1,4 +1,5 @@
-//! From a scene to rows of pixels: as many as the caller asks for, where the caller wants them. No pixel is kept.
+//! From a scene to rows of pixels: as many as the caller asks for, where the caller wants them. No pixel is
+//! kept.
 
 mod canvas;
 mod pixels;
@@ -17,8 +18,9 @@ use crate::solid::Solid;
 
 /// A scene and the size of its picture in pixels. Rows are computed when they are asked for.
 ///
-/// A picture owns its scene, a copy of some 100 bytes, and borrows the solids. It finds the order in which they are painted
-/// when it is made, at compile time in a `const`: make one picture of a scene, not one for each row.
+/// A picture owns its scene, a copy of some 100 bytes, and borrows the solids. It finds the order in which
+/// they are painted when it is made, at compile time in a `const`: make one picture of a scene, not one for
+/// each row.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -74,22 +76,23 @@ impl Picture<'_> {
         self.height
     }
 
-    /// Writes the pixels of row y, counted from the top, into `row` from its start: as many as the picture is wide, or as `row`
-    /// is long. What `row` has beyond the picture's width stays as it is.
+    /// Writes the pixels of row y, counted from the top, into `row` from its start: as many as the picture is
+    /// wide, or as `row` is long. What `row` has beyond the picture's width stays as it is.
     ///
-    /// A row below the last one continues the scene below the picture's lower edge. A picture without columns or without
-    /// rows has no pixels: all of `row` stays as it is.
+    /// A row below the last one continues the scene below the picture's lower edge. A picture without columns
+    /// or without rows has no pixels: all of `row` stays as it is.
     pub fn row<C: Paint>(&self, y: u32, row: &mut [C]) {
         self.part_of_row(0, y, row);
     }
 
-    /// Writes the pixels of row y from column x on into `part`, as [`Picture::row`] does those from column 0 on: as many as the
-    /// row still has there, or as `part` is long.
+    /// Writes the pixels of row y from column x on into `part`, as [`Picture::row`] does those from column 0
+    /// on: as many as the row still has there, or as `part` is long.
     ///
-    /// A long part costs less than many short ones: neighbouring pixels share what they can. The pixels are the same, but
-    /// where rounding decides between two shades, or between the two sides of a crease. Seen from up to 200 sizes of the
-    /// solids away those are fewer than one of 10 000 in `Rgb565` and one of 5 000 in `Rgb888`. From parts of a single pixel,
-    /// more of which are cast as rays of their own, they are one of 1 000 at most.
+    /// A long part costs less than many short ones: neighbouring pixels share what they can. The pixels are
+    /// the same, but where rounding decides between two shades, or between the two sides of a crease. Seen
+    /// from up to 200 sizes of the solids away those are fewer than one of 10 000 in `Rgb565` and one of 5
+    /// 000 in `Rgb888`. From parts of a single pixel, more of which are cast as rays of their own, they are
+    /// one of 1 000 at most.
     pub fn part_of_row<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         self.raster().part_of_row(x, y, part);
     }

@@ -1,4 +1,5 @@
-//! What color a visible point of a solid has: Lambert's diffuse share of its color, and half of Phong's highlight.
+//! What color a visible point of a solid has: Lambert's diffuse share of its color, and half of Phong's
+//! highlight.
 
 use crate::color::{Paint, Shades, Share, most_shades};
 use crate::lathe::Seen;
@@ -11,10 +12,11 @@ use crate::vector::{F32x3, Vector};
 pub(crate) struct Finish {
     /// The exponent of the highlight, or zero if the solid is matt.
     shininess: u8,
-    /// The direction to the light, in the solid's own space. Its length is [`Share::UNITS`], so that the cosine comes out of the
-    /// dot product in the fixed-point units of a [`Share`].
+    /// The direction to the light, in the solid's own space. Its length is [`Share::UNITS`], so that the
+    /// cosine comes out of the dot product in the fixed-point units of a [`Share`].
     pub to_light: F32x3,
-    /// The color where no direct light falls. It carries the bias of half a shade that [`Paint::shade`] expects.
+    /// The color where no direct light falls. It carries the bias of half a shade that [`Paint::shade`]
+    /// expects.
     ambient: Shades,
     /// What direct light adds where it falls at a right angle.
     direct: Shades,
@@ -34,10 +36,10 @@ impl Finish {
         }
     }
 
-    /// The color of a visible point, seen in a column, with the light in direction `to_light`, as long as that of the material:
-    /// the material's own, or its mirror image.
-    // Not always in line: where flash counts, it stands once. Where speed does, the record of instructions shows whether the
-    // compiler decides otherwise.
+    /// The color of a visible point, seen in a column, with the light in direction `to_light`, as long as
+    /// that of the material: the material's own, or its mirror image.
+    // Not always in line: where flash counts, it stands once. Where speed does, the record of instructions
+    // shows whether the compiler decides otherwise.
     #[inline]
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &F32x3, views: &Views) -> Shades {
         // A negative cosine, a surface that faces away from the light, saturates to zero.
@@ -51,8 +53,8 @@ impl Finish {
         diffuse.with_up_to(white.dimmed(share), const { Shades::of(most_shades::<C>()).rounded() })
     }
 
-    /// The share of white that the highlight adds, given the unit normal, the light's direction, and the column whose ray
-    /// sees the point.
+    /// The share of white that the highlight adds, given the unit normal, the light's direction, and the
+    /// column whose ray sees the point.
     #[cold]
     fn specular(&self, normal: F32x3, to_light: &F32x3, views: &Views, column: u32) -> Share {
         let view = views.first + views.step * column as f32;
@@ -64,8 +66,8 @@ impl Finish {
     }
 }
 
-/// The directions of a row's rays, in a solid's own space: `first` that of column 0, `step` the difference from one column to
-/// the next.
+/// The directions of a row's rays, in a solid's own space: `first` that of column 0, `step` the difference
+/// from one column to the next.
 #[derive(Clone, Copy)]
 pub(crate) struct Views {
     pub first: F32x3,

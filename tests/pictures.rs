@@ -79,7 +79,8 @@ fn every_way_gives_the_same_pixels() {
             let rows = rows(scene, width, height, parts, Rgb565::BLACK);
             rows.iter().zip(&all).for_each(|(&a, &b)| compared.add(a, b, &format!("rows by {parts:?}")));
         }
-        // Through memory of any length: to the last bit what parts of rows of that length give. None is a run of 40.
+        // Through memory of any length: to the last bit what parts of rows of that length give. None is a run
+        // of 40.
         for (room, part) in [(0, 40), (1, 1), (37, 37), (whole, whole), (1000, whole)] {
             let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(width, height));
             scene.draw_by_rows(&mut display, &mut vec![Rgb565::BLACK; room]).unwrap();
@@ -108,8 +109,8 @@ fn every_way_gives_the_same_pixels() {
     }
 }
 
-/// How many pixels of 240×240 differ between whole rows and parts of so many pixels, in a display's finest colors: by one
-/// step of a channel, and by more.
+/// How many pixels of 240×240 differ between whole rows and parts of so many pixels, in a display's finest
+/// colors: by one step of a channel, and by more.
 fn differing_by_parts(scene: &Scene, parts: &[usize]) -> [usize; 2] {
     let whole = rows(scene, 240, 240, &[240], Rgb888::BLACK);
     let parts = rows(scene, 240, 240, parts, Rgb888::BLACK);
@@ -121,8 +122,8 @@ fn differing_by_parts(scene: &Scene, parts: &[usize]) -> [usize; 2] {
     differ
 }
 
-/// What the doc of `Picture::part_of_row` promises: of the reference scenes, from where they are seen and from up to 200
-/// times as far, the picture's angle as much narrower.
+/// What the doc of `Picture::part_of_row` promises: of the reference scenes, from where they are seen and
+/// from up to 200 times as far, the picture's angle as much narrower.
 #[test]
 fn parts_of_rows_are_the_whole_row_from_far_away_too() {
     const PIXELS: usize = 240 * 240;
@@ -155,7 +156,8 @@ fn parts_of_rows_are_the_whole_row_from_far_away_too() {
             }
         }
     }
-    // The view that showed that each part rounded the eye's distance in its own way: then 100 pixels differed.
+    // The view that showed that each part rounded the eye's distance in its own way: then 100 pixels
+    // differed.
     let camera = Camera::perspective([0.0, -307.0, 307.5], target, up, 0.00186).unwrap();
     let [vase, more] = differing_by_parts(&scenes::VASE_SCENE.with_camera(camera), &[40]);
     println!(
@@ -224,8 +226,8 @@ fn a_display_of_no_size_is_drawn_in_no_time() {
     assert_eq!(row[8..], [Rgb565::WHITE; 4]);
 }
 
-/// A picture without columns or without rows has no pixels, and the largest ones are computed where they are asked for: nothing
-/// is NaN, nothing overflows.
+/// A picture without columns or without rows has no pixels, and the largest ones are computed where they are
+/// asked for: nothing is NaN, nothing overflows.
 #[test]
 fn pictures_of_any_size_have_a_defined_answer() {
     let dusk = Background::Gradient { top: Rgb::BLACK, bottom: Rgb::WHITE };
@@ -277,8 +279,8 @@ fn a_picture_owns_its_scene() {
     }
 }
 
-/// Forty balls in two crossing rows, more than a picture keeps the order of, in any order: the picture is the same, and that of
-/// single rays.
+/// Forty balls in two crossing rows, more than a picture keeps the order of, in any order: the picture is the
+/// same, and that of single rays.
 #[test]
 fn many_solids_hide_one_another_as_they_should() {
     let ball = |i: u32| {
@@ -330,8 +332,8 @@ fn an_error_of_the_display_passes_through() {
     assert_eq!(scenes::VASE_SCENE.draw(&mut Broken), Err("cable"));
 }
 
-/// The laboratory asks for the feature `std`; alone, the crate is built without, and all of this file holds as well: the
-/// pictures in the documents are the same.
+/// The laboratory asks for the feature `std`; alone, the crate is built without, and all of this file holds
+/// as well: the pictures in the documents are the same.
 #[test]
 #[ignore = "for `cargo test -p embedded-lathe --test pictures -- --include-ignored`, without std"]
 fn all_of_this_is_without_std() {
@@ -420,7 +422,8 @@ fn few_shades_are_dithered() {
     }
 }
 
-/// Of the reference scenes and of a white ball in a light that leaves no shade: a highlight adds light, up to white.
+/// Of the reference scenes and of a white ball in a light that leaves no shade: a highlight adds light, up to
+/// white.
 #[test]
 fn gloss_only_brightens() {
     static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));

@@ -163,8 +163,9 @@ fn random_upright_scenes_are_those_of_single_rays() {
     random_scenes(48, upright_camera);
 }
 
-/// Solids around the axis and one above another over a wide disc, some upright: painted one over the other where planes
-/// part them, compared where none does, and hidden by the disc from below, though that reaches farther away.
+/// Solids around the axis and one above another over a wide disc, some upright: painted one over the other
+/// where planes part them, compared where none does, and hidden by the disc from below, though that reaches
+/// farther away.
 #[test]
 fn solids_apart_are_those_of_single_rays() {
     let mut rng = ChaCha8Rng::seed_from_u64(1995);
@@ -256,7 +257,8 @@ fn what_is_within_another_solid_is_hidden() {
     let thin = Lathe::turn(closed);
     let pose = |place, rotation, scale| Pose::new(place, rotation, scale).unwrap();
     let upright = |place, scale| pose(place, Rotation::IDENTITY, scale);
-    // A coin a twentieth of its size below the top of the column; and one on edge, far away, all numbers exact.
+    // A coin a twentieth of its size below the top of the column; and one on edge, far away, all numbers
+    // exact.
     let size = 5e-4_f32;
     let (deep, far) = (upright([0.0, 0.0, -1.05 * size], size), 1_048_576.0);
     let on_edge = pose([far, 0.0, 0.0], Rotation::about_y(core::f32::consts::FRAC_PI_2), 1.0);
@@ -330,7 +332,8 @@ fn a_world_of_any_size_looks_the_same() {
     }
 }
 
-/// Rays exactly level in rows that are not, views from straight above, pictures of next to nothing of a solid, and wide ones.
+/// Rays exactly level in rows that are not, views from straight above, pictures of next to nothing of a
+/// solid, and wide ones.
 fn exact_cameras() -> Vec<Camera> {
     let up = [0.0, 0.0, 1.0];
     let mut cameras = vec![
@@ -382,8 +385,8 @@ fn exact_views_are_those_of_single_rays() {
     assert!(difference.covered * 2 > difference.pixels, "{difference:?}");
 }
 
-/// A plate on a stalk, its edge rounded over 3·10⁻⁵: there a step of Newton's may end where no root is, and what is left
-/// of it told nothing.
+/// A plate on a stalk, its edge rounded over 3·10⁻⁵: there a step of Newton's may end where no root is, and
+/// what is left of it told nothing.
 #[test]
 fn edges_all_but_sharp_are_those_of_single_rays() {
     let [knots, stalk] = [[-0.3, 0.0, 3e-5, 0.30003], [0.23228319; 4]];
@@ -402,7 +405,8 @@ fn edges_all_but_sharp_are_those_of_single_rays() {
     assert!(difference.covered * 8 > difference.pixels, "{difference:?}");
 }
 
-/// An hourglass of two funnels, open at the top: its waist hides the wall below that a ray left it by one pixel before.
+/// An hourglass of two funnels, open at the top: its waist hides the wall below that a ray left it by one
+/// pixel before.
 #[test]
 fn a_waist_seen_from_within_is_that_of_single_rays() {
     let glass = [1.0, 0.7, 0.4, 0.1, 0.4, 0.7, 1.0];
@@ -425,8 +429,8 @@ fn a_waist_seen_from_within_is_that_of_single_rays() {
     difference.assert_none();
 }
 
-/// A solid that lies across the picture: its rows' rays are mirror images of each other but for heights, which count at its
-/// ends.
+/// A solid that lies across the picture: its rows' rays are mirror images of each other but for heights,
+/// which count at its ends.
 #[test]
 fn a_cylinder_lying_down_is_that_of_single_rays() {
     let cylinder = |end| Lathe::turn(Profile::<1>::cylinder(1.0, 2.0).unwrap().base(end).top(end));
@@ -561,7 +565,8 @@ fn rays_nearly_level_with_an_open_end_are_those_of_single_rays() {
     let cone = Lathe::turn(cone);
     let mut difference = Difference::default();
     for part in 0..40 {
-        // Rows run along the axis, and pixels are so far apart that one ray at most comes through the open end.
+        // Rows run along the axis, and pixels are so far apart that one ray at most comes through the open
+        // end.
         let height = 0.5 + part as f32 / (40.0 * 16.0);
         let (eye, at, up) = ([0.0, -5.0, height + 0.004], [0.0, 0.0, height], [1.0, 0.0, 0.0]);
         let camera = Camera::orthographic(eye, at, up, 0.5).unwrap();

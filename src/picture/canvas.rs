@@ -9,8 +9,8 @@ use crate::vector::{F32x3, Vector};
 /// A part of a row of pixels, and what colors a solid on it.
 pub(super) struct Canvas<'a, C> {
     finish: Finish,
-    /// If the left half of the row sees the right half's mirror image: the mirror image of the direction to the light. What the
-    /// left half sees looks as what the right half sees does in that light.
+    /// If the left half of the row sees the right half's mirror image: the mirror image of the direction to
+    /// the light. What the left half sees looks as what the right half sees does in that light.
     mirrored: Option<F32x3>,
     /// The column that `run` begins with, and the row.
     x: u32,
@@ -42,7 +42,8 @@ impl<'a, C: Paint> Canvas<'a, C> {
         }
     }
 
-    /// Paints the pixels from the i-th up to another that see the tracked root. Returns the first that does not, `to` at most.
+    /// Paints the pixels from the i-th up to another that see the tracked root. Returns the first that does
+    /// not, `to` at most.
     ///
     /// Not inline: it keeps registers on the stack, which are not needed while single rays are cast.
     #[inline(never)]
@@ -51,7 +52,8 @@ impl<'a, C: Paint> Canvas<'a, C> {
         let SolidRow { sweep, views, .. } = along;
         let mut at = (sweep.column(i) - x) as usize;
         let step = if sweep.is_reversed() { usize::MAX } else { 1 };
-        // A pixel's place and its mirror image's add up to this, or, without one, to what puts that outside of the run.
+        // A pixel's place and its mirror image's add up to this, or, without one, to what puts that outside
+        // of the run.
         let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
         let mirrored = mirrored.unwrap_or(finish.to_light);
         sweep.track(i, to, |seen| {
@@ -68,8 +70,8 @@ impl<'a, C: Paint> Canvas<'a, C> {
         })
     }
 
-    /// Paints the pixels from the i-th up to `to`, and their mirror images, which all see the upper cap (`up` is 1) or the lower
-    /// one (−1). Returns `to`.
+    /// Paints the pixels from the i-th up to `to`, and their mirror images, which all see the upper cap (`up`
+    /// is 1) or the lower one (−1). Returns `to`.
     #[inline(never)]
     fn cap(&mut self, along: &SolidRow, i: u32, to: u32, up: f32) -> u32 {
         let seen = &Seen::cap(up);

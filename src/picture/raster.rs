@@ -11,7 +11,8 @@ use crate::solid::Solid;
 
 /// The parts of a scene, the size of its picture in pixels, and the order in which its solids are painted.
 ///
-/// It borrows what a [`Picture`](super::Picture) owns: a frame that is drawn keeps no copy of the scene on the stack.
+/// It borrows what a [`Picture`](super::Picture) owns: a frame that is drawn keeps no copy of the scene on
+/// the stack.
 #[derive(Clone, Copy)]
 pub(crate) struct Raster<'a> {
     pub solids: &'a [Solid<'a>],
@@ -24,8 +25,9 @@ pub(crate) struct Raster<'a> {
 }
 
 impl Raster<'_> {
-    /// Writes the pixels of row y from column x on into `part`: as many as the row has there, or as `part` is long. Those of
-    /// `part` beyond the picture's right edge stay as they are, and so do all if the picture has no columns or no rows.
+    /// Writes the pixels of row y from column x on into `part`: as many as the row has there, or as `part` is
+    /// long. Those of `part` beyond the picture's right edge stay as they are, and so do all if the picture
+    /// has no columns or no rows.
     #[inline(never)]
     pub fn part_of_row<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         let columns = if self.height == 0 { 0 } else { self.width.saturating_sub(x) };

@@ -37,42 +37,48 @@ impl<'a> SolidRow<'a> {
         Self { painted, row, views: Views { first: direction, step: direction_step }, sweep }
     }
 
-    /// Casts the ray of a column, which is that of the i-th pixel or of its mirror image, and tells the sweep of a hit of its
-    /// solid. Returns what the ray sees of this solid; `None` if it misses, or if another of the candidates is nearer, or as near
-    /// and before this one in the scene.
+    /// Casts the ray of a column, which is that of the i-th pixel or of its mirror image, and tells the sweep
+    /// of a hit of its solid. Returns what the ray sees of this solid; `None` if it misses, or if another of
+    /// the candidates is nearer, or as near and before this one in the scene.
     #[inline(never)]
     pub fn cast(&mut self, i: u32, column: u32) -> Option<Seen> {
         let Painted { solid, candidates } = *self.painted;
-        let hit = self.nearest(solid, column)?;
+        let ray = self.ray(solid, column);
+        let hit = nearest(solid, &ray)?;
         self.sweep.found(i, &hit);
         let mut is_before = true;
         for other in candidates {
             if ptr::eq(other, solid) {
                 is_before = false;
-            } else if let Some(Hit { t, .. }) = self.nearest(other, column)
+            } else if let Some(Hit { t, .. }) = nearest(other, &self.ray(other, column))
                 && (t < hit.t || is_before && t == hit.t)
             {
                 return None;
             }
         }
-        Some(self.seen(column, &hit))
+        Some(seen(solid, &ray, &hit))
     }
 
-    /// The first hit of a solid by the ray of a column, by the traversal that a single ray takes, too: what the sweep leaves
-    /// undecided is decided as by [`Solid::nearest`].
+    /// The ray of a column in a solid's own space.
     #[inline(never)]
-    fn nearest(&self, solid: &Solid, column: u32) -> Option<Hit> {
-        solid.lathe().nearest_by::<Newton>(&solid.ray_into(&self.row.ray(column)), 0.0)
+    fn ray(&self, solid: &Solid, column: u32) -> Ray {
+        solid.ray_into(&self.row.ray(column))
     }
+}
 
-    /// What the ray of a column sees where it hits the row's solid.
-    #[inline(never)]
-    fn seen(&self, column: u32, hit: &Hit) -> Seen {
-        let solid = self.painted.solid;
-        let ray = solid.ray_into(&self.row.ray(column));
-        let gradient = solid.lathe().gradient_at(ray.point(hit.t), hit);
-        // Of very flat or very tall profiles the gradient's square overflows or vanishes: its largest component becomes 1.
-        let side = if hit.enters { 1.0 } else { -1.0 };
-        Seen::new(gradient * (side / largest(gradient)))
-    }
+/// The first hit of a solid by a ray in its own space, by the traversal that a single ray takes, too: what
+/// the sweep leaves undecided is decided as by [`Solid::nearest`].
+#[inline(never)]
+fn nearest(solid: &Solid, ray: &Ray) -> Option<Hit> {
+    solid.lathe().nearest_by::<Newton>(ray, 0.0)
+}
+
+/// What a ray in a solid's own space sees where it hits it.
+#[inline(never)]
+fn seen(solid: &Solid, ray: &Ray, hit: &Hit) -> Seen {
+    let gradient = solid.lathe().gradient_at(ray.point(hit.t), hit);
+    // Of very flat or very tall profiles the gradient's square overflows or vanishes: its largest component
+    // becomes 1.
+    let side = if hit.enters { 1.0 } else { -1.0 };
+    Seen::new(gradient * (side / largest(gradient)))
 }

@@ -1,11 +1,13 @@
-//! Pixels whose rays come in through a cap. Nothing hides it, for a usable row's rays begin outside the solid's ball.
+//! Pixels whose rays come in through a cap. Nothing hides it, for a usable row's rays begin outside the
+//! solid's ball.
 
 use super::sweep::{Span, Sweep};
 use crate::vector::dot_xy;
 
 impl Sweep<'_> {
-    /// The span of pixels, from the i-th on, whose rays come in through a cap, clear of its rim by more than the tolerance.
-    /// `None` if the i-th is not such a pixel, or if not all of the row's rays rise, or all fall.
+    /// The span of pixels, from the i-th on, whose rays come in through a cap, clear of its rim by more than
+    /// the tolerance. `None` if the i-th is not such a pixel, or if not all of the row's rays rise, or all
+    /// fall.
     #[inline(always)]
     pub(super) fn cap_span(&self, i: u32) -> Option<Span> {
         let frame = self.bounds.lathe.frame;
@@ -18,8 +20,8 @@ impl Sweep<'_> {
         (to > i).then(|| Span::Cap { to, up: if is_rising { -1.0 } else { 1.0 } })
     }
 
-    /// The first pixel from the i-th on, or the end, whose ray does not clearly pass through a cap, given the square of the cap's
-    /// radius and whether it is the lower one, which rising rays meet first.
+    /// The first pixel from the i-th on, or the end, whose ray does not clearly pass through a cap, given the
+    /// square of the cap's radius and whether it is the lower one, which rising rays meet first.
     #[inline(never)]
     fn cap_until(&self, mut i: u32, square: f32, is_rising: bool) -> u32 {
         let frame = self.bounds.lathe.frame;
@@ -27,7 +29,8 @@ impl Sweep<'_> {
         while i < self.direction.len {
             let (m, d) = self.ray(i);
             let p = m + d * ((z - m.z) / d.z);
-            // The flatter the ray, the farther rounding of its height moves the point: the tolerance counts for dz = 1.
+            // The flatter the ray, the farther rounding of its height moves the point: the tolerance counts
+            // for dz = 1.
             if !((square - dot_xy(p, p)) * d.z.abs() > self.bounds.tolerance) {
                 break;
             }

@@ -1,19 +1,21 @@
 //! Whether a tracked root is its ray's nearest: whether g keeps its sign all along the ray before it.
 //!
-//! Most often an entering root's own slope says so. Let A = dg/ds there, J the sum of the slope jumps at the knots that the ray
-//! may have passed before, times |dz|, and `g″ ≤ 2K` between knots. Then x before the root
+//! Most often an entering root's own slope says so. Let A = dg/ds there, J the sum of the slope jumps at the
+//! knots that the ray may have passed before, times |dz|, and `g″ ≤ 2K` between knots. Then x before the root
 //!
 //! `g ≤ −(A − J)·x + K·x²`, K = bulge·dz² − q, J = kinks·|dz|.
 //!
-//! That is negative where `K ≤ 0 < A − J`: one comparison a pixel, as far back as one segment after another has K ≤ 0. Before a
-//! root that leaves, through as many segments, g is concave, and so positive if it is where they begin.
+//! That is negative where `K ≤ 0 < A − J`: one comparison a pixel, as far back as one segment after another
+//! has K ≤ 0. Before a root that leaves, through as many segments, g is concave, and so positive if it is
+//! where they begin.
 //!
-//! That ends at a segment with K > 0, or at a slope jump that is more than rounding. There an upper bound from the ray's cubics
-//! certifies that g keeps its sign before, and for how many pixels more.
+//! That ends at a segment with K > 0, or at a slope jump that is more than rounding. There an upper bound
+//! from the ray's cubics certifies that g keeps its sign before, and for how many pixels more.
 //!
-//! In a root's own segment, whatever its K, g keeps its sign if it has it where the ray comes in, and, going back from the
-//! root, does not curve the wrong way first and the right way then, which the sign of F‴·dz decides. Where it may, the slope
-//! must be more than `|F‴/6|·h²·|dz|`, h the segment's height; where it is not, the segment's cubic is asked, pixel by pixel.
+//! In a root's own segment, whatever its K, g keeps its sign if it has it where the ray comes in, and, going
+//! back from the root, does not curve the wrong way first and the right way then, which the sign of F‴·dz
+//! decides. Where it may, the slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height; where it is
+//! not, the segment's cubic is asked, pixel by pixel.
 
 use super::skip::UpperBound;
 use super::sweep::{Certificate, RootStart, Sweep};
@@ -51,7 +53,8 @@ struct Concave<'a> {
 }
 
 impl Sweep<'_> {
-    /// Decides whether the root in the tracked segment is the nearest on the i-th ray and those that follow it.
+    /// Decides whether the root in the tracked segment is the nearest on the i-th ray and those that follow
+    /// it.
     pub(super) fn certify(&self, i: u32) -> Certification {
         let (bounds, root) = (&self.bounds, &self.root);
         let (segment, enters) = (root.segment, root.sign > 0.0);
@@ -83,9 +86,9 @@ impl Sweep<'_> {
         }
     }
 
-    /// The segments, from the root's own back, through which g is concave along every ray of the row, but for slope jumps
-    /// that raise it by less than a quarter of the tolerance. (A quarter, since rounding has another: the tolerance is four
-    /// times what it was seen to do.) All rays rise, or all fall.
+    /// The segments, from the root's own back, through which g is concave along every ray of the row, but for
+    /// slope jumps that raise it by less than a quarter of the tolerance. (A quarter, since rounding has
+    /// another: the tolerance is four times what it was seen to do.) All rays rise, or all fall.
     #[inline(always)]
     fn concave(&self, is_rising: bool) -> Concave<'_> {
         let bounds = &self.bounds;
@@ -106,8 +109,8 @@ impl Sweep<'_> {
         }
     }
 
-    /// Whether g keeps its sign, below zero before a root that enters, above before one that leaves, until the i-th ray comes
-    /// to a segment; and for how many pixels it still does.
+    /// Whether g keeps its sign, below zero before a root that enters, above before one that leaves, until
+    /// the i-th ray comes to a segment; and for how many pixels it still does.
     #[inline(always)]
     fn before(&self, i: u32, segment: &Segment) -> Before {
         let (bounds, root) = (&self.bounds, &self.root);
@@ -121,8 +124,8 @@ impl Sweep<'_> {
         }
         let (near, far) = self.interval(&path);
         let far = lesser(far, path.slab(segment.low, segment.high).0);
-        // The point where the segment begins is bounded, too, even if the interval begins behind it: unless the slope says
-        // enough of the segment by itself, its proof needs the sign of g at that point.
+        // The point where the segment begins is bounded, too, even if the interval begins behind it: unless
+        // the slope says enough of the segment by itself, its proof needs the sign of g at that point.
         let by_slope = sign > 0.0 && root.segment.bulge <= bounds.bulge;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
         let UpperBound { g, start } = self.upper_bound(&path, sign, before);
@@ -133,16 +136,17 @@ impl Sweep<'_> {
         if g < bounds.tolerance {
             return Before::Undecided;
         }
-        // What crosses before the bound's sign is turned round crosses the other way in g. With no start known, it is just behind
-        // the rim of the end, in the root's own segment, and crosses as the tracked root does not.
+        // What crosses before the bound's sign is turned round crosses the other way in g. With no start
+        // known, it is just behind the rim of the end, in the root's own segment, and crosses as the tracked
+        // root does not.
         let RootStart { index, s, sign: crosses } =
             start.unwrap_or(RootStart { index: root.index, s: far, sign: -1.0 });
         Before::MayMeet(RootStart { index, s, sign: sign * crosses })
     }
 
-    /// Whether g keeps its sign from where a ray comes into the tracked root's segment as far as the root, by the segment's
-    /// cubic. In: the root's u; the slope of g at the point as far beyond the root as Newton's last step, `back`, went back; the
-    /// ray's q; and its dz in units of u.
+    /// Whether g keeps its sign from where a ray comes into the tracked root's segment as far as the root, by
+    /// the segment's cubic. In: the root's u; the slope of g at the point as far beyond the root as Newton's
+    /// last step, `back`, went back; the ray's q; and its dz in units of u.
     ///
     /// With κ = |du/ds|, A the slope at the root, and y the way back from it in u,
     ///

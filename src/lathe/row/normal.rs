@@ -36,7 +36,8 @@ pub(super) struct Wall {
 }
 
 impl Wall {
-    /// The wall of a segment, as a root that enters (sign 1) or leaves the solid (−1) sees it. `root_squash` is √k.
+    /// The wall of a segment, as a root that enters (sign 1) or leaves the solid (−1) sees it. `root_squash`
+    /// is √k.
     #[inline(always)]
     pub fn new(segment: &Segment, sign: f32, root_squash: f32) -> Self {
         let Segment { per_height, f: [_, c1, c2, c3], .. } = *segment;
@@ -44,10 +45,12 @@ impl Wall {
         Self { root_squash: sign * root_squash, e: [along * c1, along * 2.0 * c2, along * 3.0 * c3] }
     }
 
-    /// What is seen at a point of the frame with coordinates x (scaled by √k) and `sign·y`, u its parameter in the segment.
+    /// What is seen at a point of the frame with coordinates x (scaled by √k) and `sign·y`, u its parameter
+    /// in the segment.
     ///
-    /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`; √k·x of it comes from the frame's x. A root
-    /// that leaves sees the other side: its gradient has the opposite sign, which the given y has already.
+    /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`; √k·x of it comes from the
+    /// frame's x. A root that leaves sees the other side: its gradient has the opposite sign, which the given
+    /// y has already.
     #[inline(always)]
     pub fn seen(&self, x: f32, signed_y: f32, u: f32) -> Seen {
         let [e0, e1, e2] = self.e;

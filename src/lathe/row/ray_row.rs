@@ -18,8 +18,9 @@ impl RayRow {
         Self { origin_step: self.origin_step * -1.0, direction_step: self.direction_step * -1.0, ..*self }
     }
 
-    /// The same rays counted from pixel i, and each origin moved along its ray by the same multiple of the direction, which is
-    /// returned: the one that brings pixel i's origin to where its ray is nearest to zero.
+    /// The same rays counted from pixel i, and each origin moved along its ray by the same multiple of the
+    /// direction, which is returned: the one that brings pixel i's origin to where its ray is nearest to
+    /// zero.
     #[inline(always)]
     pub fn about(&self, i: f32) -> (Self, f32) {
         let (o, d) = self.at(i);

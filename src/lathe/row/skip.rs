@@ -1,5 +1,7 @@
-//! Spans of misses: an upper bound of g along one ray, and the number of neighbours for which it still proves a miss.
+//! Spans of misses: an upper bound of g along one ray, and the number of neighbours for which it still proves
+//! a miss.
 
+use super::bounds::SPANS;
 use super::sweep::{RootStart, Sweep};
 use crate::cubic::{Cubic, quadratic_max_on};
 use crate::lathe::ray::LocalRay;
@@ -7,13 +9,8 @@ use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::vector::{F32x3, dot_xy};
 
-/// How far along a ray, in spans of the row, the point of a given height may move within the pixels that one probe certifies.
-///
-/// A choice: heights are bounded over so much more of the ray, and a probe holds for as many pixels as they take to move so far.
-const SPANS: f32 = 4.0;
-
-/// By what part of itself dz may fall within those pixels: to 7/8. A choice as well: it keeps `n/(1 − n·ε)`, see
-/// [`Sweep::certified_run`], near n.
+/// By what part of itself dz may fall within those pixels: to 7/8. A choice as well: it keeps `n/(1 − n·ε)`,
+/// see [`Sweep::certified_run`], near n.
 const FALL: f32 = 1.0 / 8.0;
 
 /// What a probe of one ray says.
@@ -26,10 +23,11 @@ pub(super) enum Probe {
 
 /// An upper bound of sign·g along a ray.
 pub(super) struct UpperBound {
-    /// The bound, over the part of the ray in front of `start`'s segment if there is a start, else over all of it.
+    /// The bound, over the part of the ray in front of `start`'s segment if there is a start, else over all
+    /// of it.
     pub g: f32,
-    /// In the first segment where sign·g may come to the tolerance below zero, about where it comes to zero: its sign is 1 if
-    /// it does so from below, −1 from above.
+    /// In the first segment where sign·g may come to the tolerance below zero, about where it comes to zero:
+    /// its sign is 1 if it does so from below, −1 from above.
     pub start: Option<RootStart>,
 }
 
@@ -54,16 +52,16 @@ impl Sweep<'_> {
         Probe::Misses { to: (i + 1).saturating_add(run) }
     }
 
-    /// The interval in s in which a ray, or one of the neighbours that a probe of it may certify, can meet the solid at the
-    /// height that this ray has there.
+    /// The interval in s in which a ray, or one of the neighbours that a probe of it may certify, can meet
+    /// the solid at the height that this ray has there.
     pub(super) fn interval(&self, path: &LocalRay) -> (f32, f32) {
         let span = (1.0 + SPANS) * self.bounds.span;
         let (near, far) = path.slab(self.bounds.low, self.bounds.high);
         (greater(-span, near), lesser(span, far))
     }
 
-    /// An upper bound of sign·g along a ray between two of its points, from segment to segment; it ends at the first that may
-    /// bring sign·g to within the tolerance of zero.
+    /// An upper bound of sign·g along a ray between two of its points, from segment to segment; it ends at
+    /// the first that may bring sign·g to within the tolerance of zero.
     #[inline(never)]
     pub(super) fn upper_bound(&self, path: &LocalRay, sign: f32, (near, far): (f32, f32)) -> UpperBound {
         let lathe = self.bounds.lathe;
@@ -101,13 +99,14 @@ impl Sweep<'_> {
         bound
     }
 
-    /// The number of pixels after a ray for which sign·g stays below zero at every height of an interval of the ray, given that
-    /// it is at least `margin` below zero there.
+    /// The number of pixels after a ray for which sign·g stays below zero at every height of an interval of
+    /// the ray, given that it is at least `margin` below zero there.
     ///
-    /// At a height, the point that a ray has there moves along a line as the pixel's number grows, the row's plane at that
-    /// height, and always the same way; g is F there less the square of the point's distance from the axis. So n pixels on it
-    /// has grown by n times its pace, `−2·⟨P, v⟩` with v the point's motion from pixel to pixel, less n²·v². Bounds of both over
-    /// the interval are the maxima of two quadratics in s.
+    /// At a height, the point that a ray has there moves along a line as the pixel's number grows, the row's
+    /// plane at that height, and always the same way; g is F there less the square of the point's distance
+    /// from the axis. So n pixels on it has grown by n times its pace, `−2·⟨P, v⟩` with v the point's motion
+    /// from pixel to pixel, less n²·v². Bounds of both over the interval are the maxima of two quadratics in
+    /// s.
     #[inline(never)]
     pub(super) fn certified_run(
         &self,
@@ -118,8 +117,8 @@ impl Sweep<'_> {
         (from, to): (f32, f32),
     ) -> u32 {
         let (m1, d1) = (self.direction.rays.origin_step, self.direction.rays.direction_step);
-        // The point of height z moves as the ray does there, and along it by so much that z stays. That is `v0 + v1·x`, with x
-        // counted from the middle of the interval, where the ray has its point p.
+        // The point of height z moves as the ray does there, and along it by so much that z stays. That is
+        // `v0 + v1·x`, with x counted from the middle of the interval, where the ray has its point p.
         let drift = self.bounds.drift;
         let per_dz = if drift > 0.0 { path.per_dz } else { 0.0 };
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -134,21 +133,21 @@ impl Sweep<'_> {
         );
         let square =
             quadratic_max_on(-sign * dot_xy(v, v), -2.0 * sign * dot_xy(v, v1), -sign * dot_xy(v1, v1), half);
-        // The part ε of itself by which dz falls from pixel to pixel, or, negative, grows: n pixels move the points as far as
-        // `n/(1 − n·ε)` would at the first one's pace.
+        // The part ε of itself by which dz falls from pixel to pixel, or, negative, grows: n pixels move the
+        // points as far as `n/(1 − n·ε)` would at the first one's pace.
         let fall = -d1.z * per_dz;
         // One over the number of pixels for which SPANS and FALL hold.
         let level = greater(drift * per_dz.abs(), fall / FALL);
-        // One over the n that uses up the margin: the positive root of `margin·r² − 2·pace·r − square`. Zero, or NaN where it
-        // is not real, if no n does.
+        // One over the n that uses up the margin: the positive root of `margin·r² − 2·pace·r − square`. Zero,
+        // or NaN where it is not real, if no n does.
         let rate = (pace + Native::sqrt(pace * pace + square * margin)) / margin;
         // NaN loses; the conversion saturates.
         (1.0 / greater(level, rate + fall)) as u32
     }
 }
 
-/// About where a cubic comes to zero from below (sign 1) or from above (−1): where the parabola of its first terms does, and two
-/// of Newton's steps on. NaN or anything if it does not; what uses it checks.
+/// About where a cubic comes to zero from below (sign 1) or from above (−1): where the parabola of its first
+/// terms does, and two of Newton's steps on. NaN or anything if it does not; what uses it checks.
 fn zero(g: &Cubic, sign: f32) -> f32 {
     let [c0, c1, c2, _] = g.c;
     let mut s = (sign * Native::sqrt(c1 * c1 - 4.0 * c2 * c0) - c1) / (2.0 * c2);

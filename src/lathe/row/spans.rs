@@ -6,7 +6,11 @@ use super::sweep::{RootStart, STEPS, Span, Sweep, TrackEnd};
 use crate::hit::{Hit, Part};
 
 impl Sweep<'_> {
-    /// What the pixels from the i-th on see, which must be less than [`Sweep::len`].
+    /// The span that begins with the i-th pixel, i less than [`Sweep::len`]: of each kind in turn, unless it
+    /// would be empty, a tracked root, a cap, pixels that miss, and at last a single ray.
+    ///
+    /// To be called with what the span before says, its `to`, or what [`Sweep::track`] returned, or, after a
+    /// single ray, the pixel after it. It begins to track roots, certifies them, and ceases to track them.
     #[inline(always)]
     pub fn next(&mut self, i: u32) -> Span {
         if let Some(end) = self.root.end.take() {
@@ -33,12 +37,13 @@ impl Sweep<'_> {
         }
     }
 
-    /// Probes the i-th ray, which no root is tracked for. If it may meet the solid, and it is known where, begins to track that
-    /// root, if roots are tracked.
+    /// Probes the i-th ray, which no root is tracked for. If it may meet the solid, and it is known where,
+    /// begins to track that root, if roots are tracked.
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
-        // The left half begins with the last root that the right one looked for, most often the one it began with.
+        // The left half begins with the last root that the right one looked for, most often the one it began
+        // with.
         let probe = match self.root.start {
             Some(start) if i == 0 => Probe::MayMeet(Some(start)),
             _ => self.probe(i),
@@ -53,8 +58,9 @@ impl Sweep<'_> {
         probe
     }
 
-    /// Goes on where tracking ended before the i-th pixel: in the next segment, or by a new certificate. If neither does, no
-    /// root is tracked, and the i-th pixel need not be probed: a probe would find the same root.
+    /// Goes on where tracking ended before the i-th pixel: in the next segment, or by a new certificate. If
+    /// neither does, no root is tracked, and the i-th pixel need not be probed: a probe would find the same
+    /// root.
     #[inline(never)]
     fn resume(&mut self, i: u32, end: TrackEnd) {
         let root = &mut self.root;
@@ -90,8 +96,8 @@ impl Sweep<'_> {
         (self.root.is_tracked, self.root.probed) = (false, i);
     }
 
-    /// A ray that was cast for the i-th pixel, or for its mirror image, meets the lathe: from there the root is tracked, if
-    /// roots are. The next pixel need not be probed: it most likely meets the lathe, too.
+    /// A ray that was cast for the i-th pixel, or for its mirror image, meets the lathe: from there the root
+    /// is tracked, if roots are. The next pixel need not be probed: it most likely meets the lathe, too.
     pub fn found(&mut self, i: u32, hit: &Hit) {
         self.root.probed = i + 1;
         if hit.part == Part::Wall && self.bounds.may_track {

@@ -1,9 +1,11 @@
-//! The traversal of a row: neighbouring rays, one after another, each looked at in the light of what the last one met.
+//! The traversal of a row: neighbouring rays, one after another, each looked at in the light of what the last
+//! one met.
 //!
-//! In the lathe's frame the rays of a row are `P = M + s·D`, M and D linear in the pixel's number i, with s counted from where
-//! the row passes the solid. Pixels are counted from the one whose ray passes nearest to the axis, 0, to the right, and, in the
-//! other half of the row, to the left. So silhouettes are met from within; beyond one the rays diverge from the solid, and one
-//! probe certifies that the rest of the half misses.
+//! In the lathe's frame the rays of a row are `P = M + s·D`, M and D linear in the pixel's number i, with s
+//! counted from where the row passes the solid. Pixels are counted from the one whose ray passes nearest to
+//! the axis, 0, to the right, and, in the other half of the row, to the left. So silhouettes are met from
+//! within; beyond one the rays diverge from the solid, and one probe certifies that the rest of the half
+//! misses.
 
 use super::bounds::RowBounds;
 use super::ray_row::RayRow;
@@ -11,26 +13,30 @@ use crate::lathe::ray::LocalRay;
 use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
 
-/// How often a step of Newton's method, or a change of segment, is tried before the pixel is cast as a ray of its own.
+/// How often a step of Newton's method, or a change of segment, is tried before the pixel is cast as a ray of
+/// its own.
 ///
-/// Each step squares the error, in units of the slope over the curvature: from a quarter of that, four come below f32's
-/// roundoff, (2⁻²)¹⁶ = 2⁻³². What takes longer lies beside a double root, where the row decides nothing anyway.
+/// Each step squares the error, in units of the slope over the curvature: from a quarter of that, four come
+/// below f32's roundoff, (2⁻²)¹⁶ = 2⁻³². What takes longer lies beside a double root, where the row decides
+/// nothing anyway.
 pub(super) const STEPS: u32 = 4;
 
 /// Neighbouring pixels that are alike. The i-th pixel is the first of each; `to` is the one after the last.
 pub(crate) enum Span {
-    /// A root is tracked, and, unless tracking ends before, known to be the nearest: to be painted by [`Sweep::track`].
+    /// A root is tracked, and, unless tracking ends before, known to be the nearest: to be painted by
+    /// [`Sweep::track`].
     Tracked { to: u32 },
     /// A cap is seen: the upper one if `up` is 1, the lower one if it is −1.
     Cap { to: u32, up: f32 },
-    /// Nothing of the solid is seen. `to` may lie beyond the end.
+    /// The solid is missed. `to` may lie beyond the end.
     Empty { to: u32 },
-    /// Undecided: the i-th pixel is to be cast as a ray of its own, and a hit to be reported by [`Sweep::found`].
+    /// Undecided: the i-th pixel is to be cast as a ray of its own, and a hit to be reported by
+    /// [`Sweep::found`].
     Single,
 }
 
-/// One half of a row of rays at a lathe, then the other: what is known of all rays, which way pixels are counted, and the root
-/// that is tracked from ray to ray.
+/// One half of a row of rays at a lathe, then the other: what is known of all rays, which way pixels are
+/// counted, and the root that is tracked from ray to ray.
 pub(crate) struct Sweep<'a> {
     pub(super) bounds: RowBounds<'a>,
     pub(super) direction: Direction,
@@ -50,14 +56,15 @@ pub(super) struct Direction {
 /// The root that is tracked, if one is, and what the search for one has come to.
 pub(super) struct TrackedRoot<'a> {
     pub is_tracked: bool,
-    /// 1 if the ray enters the solid at the root, −1 if it leaves it. One that leaves is tracked as one that enters along the
-    /// ray reversed: `sign·s` is what is kept of it.
+    /// 1 if the ray enters the solid at the root, −1 if it leaves it. One that leaves is tracked as one that
+    /// enters along the ray reversed: `sign·s` is what is kept of it.
     pub sign: f32,
     /// `sign·s` predicted for the next pixel, its last change from pixel to pixel, and the change of that.
     pub s: f32,
     pub step: f32,
     pub bend: f32,
-    /// The segment that the root is in. `segment` is that of number `index` once the root has been looked for there.
+    /// The segment that the root is in. `segment` is that of number `index` once the root has been looked for
+    /// there.
     pub index: usize,
     pub segment: &'a Segment,
     /// Why it is the nearest.
@@ -91,8 +98,8 @@ pub(super) enum TrackEnd {
 pub(super) struct Certificate {
     /// The root is the nearest if the slope of g is more than this.
     pub slope: f32,
-    /// If it is not, by [`Sweep::is_nearest_by_cubic`], given this: |f₃| of the root's own segment, or zero if the test
-    /// would say no more than the slope.
+    /// If it is not, by [`Sweep::is_nearest_by_cubic`], given this: |f₃| of the root's own segment, or zero
+    /// if the test would say no more than the slope.
     pub bump: f32,
     /// The first pixel that it does not hold for.
     pub until: u32,
@@ -165,14 +172,14 @@ impl Sweep<'_> {
         self.bounds.middle - 1 - i
     }
 
-    /// A normal of the plane that reflects the right half of the row into the left one, in object space, if one does; then the
-    /// right half tells what both see.
+    /// A normal of the plane that reflects the right half of the row into the left one, in object space, if
+    /// one does; then the right half tells what both see.
     pub fn mirror(&self) -> Option<F32x3> {
         self.bounds.is_mirrored.then_some(self.direction.rays.origin_step)
     }
 
-    /// Goes over to the left half of the row, counted to the left, with no root tracked. False, and no change, if it is the
-    /// right one's mirror image or has been swept.
+    /// Goes over to the left half of the row, counted to the left, with no root tracked. False, and no
+    /// change, if it is the right one's mirror image or has been swept.
     pub fn reverse(&mut self) -> bool {
         let Self { bounds, direction, root } = self;
         if bounds.is_mirrored || direction.is_reversed {

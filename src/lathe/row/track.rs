@@ -1,4 +1,5 @@
-//! A root, tracked from ray to ray: predicted from its last changes, corrected by Newton's method. The innermost loop.
+//! A root, tracked from ray to ray: predicted from its last changes, corrected by Newton's method. The
+//! innermost loop.
 
 use super::normal::{Seen, Wall};
 use super::sweep::{STEPS, Sweep, TrackEnd};
@@ -6,26 +7,29 @@ use crate::math::cold_path;
 use crate::math::minmax::greater;
 use crate::vector::{F32x3, dot_xy, vector};
 
-/// How many pixels are tracked in one go: M and D grow by addition, 64 of which are off by 64·2⁻²⁴ of the solid's size at most,
-/// and g by four times that, 2⁻¹⁶: a sixteenth of the tolerance.
+/// How many pixels are tracked in one go: M and D grow by addition, 64 of which are off by 64·2⁻²⁴ of the
+/// solid's size at most, and g by four times that, 2⁻¹⁶: a sixteenth of the tolerance.
 const MOST_PIXELS: u32 = 64;
 
 impl Sweep<'_> {
-    /// The pixel up to which the tracked root may be tracked from the i-th: none if it is not certified there.
+    /// The pixel up to which the tracked root may be tracked from the i-th: none if it is not certified
+    /// there.
     #[inline(always)]
     pub(super) fn limit(&self, i: u32) -> u32 {
         (i + MOST_PIXELS.min(self.direction.len - i)).min(self.root.certificate.until)
     }
 
-    /// Tracks the root from the i-th pixel on, up to another, and hands over what each pixel sees. Returns the first pixel that
-    /// sees none, `to` at most: tracking has ended there, and [`Sweep::next`] says what follows.
+    /// Tracks the root from the i-th pixel on, up to another, and hands over what each pixel sees. Returns
+    /// the first pixel that sees none, `to` at most: tracking has ended there, and [`Sweep::next`] says what
+    /// follows.
     #[inline(always)]
     pub fn track(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen)) -> u32 {
         let Self { bounds, root, .. } = &*self;
         let (segment, sign) = (root.segment, root.sign);
         let wall = Wall::new(segment, sign, bounds.lathe.frame.root_squash);
-        // A root that leaves is one that enters if the ray is reversed. The reversed ray is mirrored in the plane y = 0 as well: the
-        // y of its points is that of the other side's normal, as the wall expects it.
+        // A root that leaves is one that enters if the ray is reversed. The reversed ray is mirrored in the
+        // plane y = 0 as well: the y of its points is that of the other side's normal, as the wall expects
+        // it.
         let point = |p: F32x3, low: f32| vector([p.x, sign * p.y, (p.z - low) * segment.per_height]);
         let toward = |d: F32x3| vector([sign * d.x, d.y, d.z * (sign * segment.per_height)]);
         let (m, d) = self.ray(i);
@@ -58,7 +62,8 @@ impl Sweep<'_> {
                 let steep = f1 * d.z - (b + b);
                 let back = (f - (x * x + y * y)) / steep;
                 s -= back;
-                // A step leaves an error of no more than `back²·|g″/2|/slope`. A slope of NaN or below zero fails.
+                // A step leaves an error of no more than `back²·|g″/2|/slope`. A slope of NaN or below zero
+                // fails.
                 if !(back * back <= step_tolerance * steep) {
                     cold_path();
                     tries -= 1;

@@ -37,11 +37,11 @@
 //!
 //! # The pipe
 //!
-//! Each stage is a file, and names only files to its left. (`valid`, `message` and `scene_error` are everybody's.)
+//! Each stage is a file, with a folder of the same name where it has rooms, and names only stages to its left.
 //!
 //! ```text
-//! math → vector → cubic → bernstein → solve → profile → ray → hit → lathe → surface → color → light → camera
-//!      → pose → solid → shade → scene → occlusion → picture → draw
+//! message → valid → math → vector → cubic → bernstein → solve → profile → ray → hit → lathe → surface → color
+//!      → scene_error → light → camera → pose → solid → shade → scene → occlusion → picture → draw
 //! ```
 //!
 //! | stage | from | to |

@@ -24,12 +24,11 @@ pub(crate) const fn finite(v: F32x3) -> bool {
     x.to_bits() & ONES != ONES && y.to_bits() & ONES != ONES && z.to_bits() & ONES != ONES
 }
 
-/// The vector with each component held between f32's least and largest numbers, and 0 for NaN.
+/// The vector with each component held between f32's least and largest numbers, the least for NaN.
 #[cold]
 #[inline(never)]
 pub(crate) fn saturated(v: F32x3) -> F32x3 {
-    let held = |x: f32| if x.is_nan() { 0.0 } else { lesser(f32::MAX, greater(f32::MIN, x)) };
-    vector([held(v.x), held(v.y), held(v.z)])
+    vector([v.x, v.y, v.z].map(|x| lesser(f32::MAX, greater(f32::MIN, x))))
 }
 
 pub(crate) const fn dot(a: F32x3, b: F32x3) -> f32 {

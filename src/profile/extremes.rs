@@ -1,4 +1,4 @@
-use super::const_fn;
+use crate::math::const_fn;
 
 /// The least and the largest value of a cubic over [0, 1].
 pub(super) struct Extremes {

@@ -1,79 +1,10 @@
-use super::Solver;
+//! Root isolation: from monotone piece to monotone piece.
+
+use super::piece::{Fall, Piece, bend, critical_point};
+use super::solver::Solver;
 use crate::cubic::Cubic;
 use crate::math::Math;
 use crate::math::minmax::{greater, lesser};
-
-/// A bracket for one root: the cubic is positive from `lo` to the crossing, and negative or zero at `hi`.
-/// Between them it crosses zero once.
-///
-/// ```
-/// use embedded_lathe::{Cubic, math::Native, solve::{Piece, Solver, refine}};
-///
-/// /// A solver that leaves all to `refine`, from the middle of the piece.
-/// struct Middle;
-///
-/// impl Solver for Middle {
-///     type Math = Native;
-///     fn root(g: &Cubic, piece: &Piece) -> f32 {
-///         refine(g, piece, 0.5 * (piece.lo + piece.hi))
-///     }
-/// }
-///
-/// let root = Cubic::new([-0.1, 0.0, 0.0, 0.8]).first_root_by::<Middle>(0.0, 1.0);
-/// assert!((root.unwrap() - 0.5).abs() < 1e-7);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub struct Piece {
-    /// Where the interval begins.
-    pub lo: f32,
-    /// Where the interval ends, or the minimum if that comes before.
-    pub hi: f32,
-    /// Which of the cubic's critical points bound the piece.
-    pub fall: Fall,
-    /// `√(c2² − 3·c3·c1)`: half the second derivative at the minimum, and minus half of it at the maximum.
-    /// Zero if the cubic has no critical points.
-    pub bend: f32,
-    /// Where the cubic has its minimum. Infinite or NaN if it has none.
-    pub minimum: f32,
-    /// Minus the value at the minimum.
-    pub depth: f32,
-}
-
-/// How a cubic falls to zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Fall {
-    /// The cubic has no critical points.
-    Straight,
-    /// It falls to its minimum, which lies in the interval or beyond, and is zero or less.
-    ToMinimum,
-    /// It falls from its maximum, and has no minimum below zero before.
-    FromMaximum,
-}
-
-impl Piece {
-    /// Where the cubic has its maximum. Infinite or NaN if it has none.
-    #[inline(always)]
-    #[must_use]
-    pub fn maximum(&self, g: &Cubic) -> f32 {
-        turning(g, self.bend, g.c[2] < 0.0)
-    }
-}
-
-/// A critical point, `(−c2 ± bend)/(3·c3)`: the one nearer to zero, or the other.
-///
-/// Each is computed by that form of the quadratic formula that adds two numbers of one sign. So the one
-/// nearer to zero, which stays finite as c3 → 0, takes no division by c3. It is the minimum if c2 ≥ 0.
-#[inline(always)]
-fn turning(g: &Cubic, bend: f32, near: bool) -> f32 {
-    let [_, c1, c2, c3] = g.c;
-    let sum = if c2 >= 0.0 { c2 + bend } else { c2 - bend };
-    // One division, of what is chosen.
-    let (above, below) = if near { (-c1, sum) } else { (-sum, 3.0 * c3) };
-    above / below
-}
 
 /// The cubic, negated if it starts below zero, and the piece of [lo, hi] on which it first falls to zero.
 /// `None` if it stays above zero up to `hi`.
@@ -92,7 +23,7 @@ fn first_piece<M: Math>(
     let g = if positive { *g } else { Cubic::new(g.c.map(|c| -c)) };
     let mut piece = Piece { lo, hi, fall: Fall::Straight, bend: 0.0, minimum: f32::INFINITY, depth: 0.0 };
     if let Some(bend) = bend::<M>(&g) {
-        let minimum = turning(&g, bend, g.c[2] >= 0.0);
+        let minimum = critical_point(&g, bend, g.c[2] >= 0.0);
         let depth = -g.at(minimum);
         let sinks = lo < minimum && depth >= 0.0;
         piece = Piece { fall: Fall::FromMaximum, bend, minimum, depth, ..piece };
@@ -164,36 +95,6 @@ impl<'a> Crossings<'a> {
 /// The first critical point after `lo`, or `hi` if there is none before that.
 pub(super) fn first_critical<M: Math>(g: &Cubic, lo: f32, hi: f32) -> f32 {
     let Some(bend) = bend::<M>(g) else { return hi };
-    let points = [true, false].map(|near| turning(g, bend, near));
+    let points = [true, false].map(|near| critical_point(g, bend, near));
     points.into_iter().filter(|&u| lo < u).fold(hi, lesser)
-}
-
-/// `√(c2² − 3·c3·c1)`, or `None` if the square is not positive: then the cubic has no critical points.
-///
-/// The computed difference is exact for a cubic whose c1 is off by 3 roundings at most. Where it cancels, the
-/// critical points are so close together that g changes by far less than its rounding between them.
-///
-/// The products are of normal size if their difference is above 10⁻²⁴: f32's smallest normal number,
-/// 1.2·10⁻³⁸, is less than a 2⁻²⁴th of that, and so is what a product that underflows is off by.
-#[inline(always)]
-fn bend<M: Math>(g: &Cubic) -> Option<f32> {
-    let [_, c1, c2, c3] = g.c;
-    let square = c2 * c2 - 3.0 * c3 * c1;
-    if square > 1.0e-24 { Some(M::sqrt(square)) } else { slight_bend::<M>(c1, c2, c3) }
-}
-
-/// [`bend`] where it is zero, or so small that the products may underflow. `None`, too, where |c1|/bend is
-/// 2⁵⁰ or more: so far off is then the nearer critical point, 2²⁰ times as far as intervals reach that are
-/// not rescaled.
-///
-/// Here c2² ≤ 3·c3·c1 but for 10⁻²⁴ = 2⁻⁸⁰. Times LIFT² = 2¹²⁰ small products are normal numbers; large ones
-/// overflow, and then their difference is −∞ or NaN, and the bend zero, as without lifting.
-#[cold]
-#[inline(never)]
-fn slight_bend<M: Math>(c1: f32, c2: f32, c3: f32) -> Option<f32> {
-    const LIFT: f32 = (1_u64 << 60) as f32;
-    const FAR: f32 = (1_u64 << 50) as f32;
-    let [c1, c2, c3] = [LIFT * c1, LIFT * c2, LIFT * c3];
-    let bend = M::sqrt(greater(0.0, c2 * c2 - 3.0 * c3 * c1));
-    (FAR * bend > c1.abs()).then_some(bend / LIFT)
 }

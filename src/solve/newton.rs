@@ -1,4 +1,5 @@
-use super::{Piece, Solver};
+use super::piece::Piece;
+use super::solver::Solver;
 use crate::cubic::Cubic;
 use crate::math::{Native, UNIT_ROUNDOFF};
 

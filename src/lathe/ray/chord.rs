@@ -49,27 +49,10 @@ impl<'a> Chord<'a> {
     }
 
     /// The hit at a root of g.
-    ///
-    /// Far from where g is formed it is known to a few units of 2⁻²⁴ of all its terms there; formed anew about the root it is
-    /// known to those of f and x² + y². Newton's steps take that in: one, or two, but where a segment comes to a point that is
-    /// blunt only from very near. There the root is all but double, and each step halves what is left.
     #[inline]
     pub fn hit(&self, s: f32, enters: bool) -> Hit {
-        let (from, to) = (self.origin + self.from, self.origin + self.to);
-        let last = 4.0 * UNIT_ROUNDOFF * (to - from);
-        let mut t = self.origin + s;
-        for _ in 0..MOST_STEPS {
-            let [c0, c1, c2, _] = self.path.g_about(self.segment, t).c;
-            // Of g's parabola the root lies that way, and no nearer than half a step.
-            if !(4.0 * (c0 * c2).abs() < c1 * c1) {
-                break;
-            }
-            let step = c0 / c1;
-            t = lesser(to, greater(from, t - step));
-            if step.abs() <= last {
-                break;
-            }
-        }
+        let ends = [self.origin + self.from, self.origin + self.to];
+        let t = refined(self.path, self.segment, self.origin + s, ends);
         Hit {
             t: self.path.distance(t),
             segment: self.index,
@@ -83,3 +66,26 @@ impl<'a> Chord<'a> {
 /// The root of a parabola that all but touches zero is half as far after each step: from 2⁻¹² of the chord, where a double root
 /// may be misplaced by the root of 2⁻²⁴, to 2⁻²⁴.
 const MOST_STEPS: u32 = 12;
+
+/// The place of a root between two of the ray's t, found anew from near it.
+///
+/// Far from where g is formed it is known to a few units of 2⁻²⁴ of all its terms there; formed about the root it is
+/// known to those of f and x² + y². Newton's steps take that in: one, or two, but where a segment comes to a point that is
+/// blunt only from very near. There the root is all but double, and each step halves what is left. A step of four units of
+/// 2⁻²⁴, of t or of the frame's unit, no more than the largest radius, is the last.
+#[inline(never)]
+fn refined(path: &LocalRay, segment: &Segment, mut t: f32, [from, to]: [f32; 2]) -> f32 {
+    for _ in 0..MOST_STEPS {
+        let [c0, c1, c2, _] = path.g_about(segment, t).c;
+        // Otherwise g's parabola has no root that way, or one nearer than half a step.
+        if !(4.0 * (c0 * c2).abs() < c1 * c1) {
+            break;
+        }
+        let step = c0 / c1;
+        t = lesser(to, greater(from, t - step));
+        if step.abs() <= 4.0 * UNIT_ROUNDOFF * (1.0 + t.abs()) {
+            break;
+        }
+    }
+    t
+}

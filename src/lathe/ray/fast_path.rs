@@ -1,4 +1,4 @@
-//! What most rays meet, told without a walk.
+//! What most rays meet, decided without a traversal.
 //!
 //! At a place on a ray, at the heights of the solid, g is known, and its slope. Everywhere else it lies below a
 //! parabola, by the whole profile's bounds: over the distance s from there,
@@ -26,12 +26,14 @@ use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::ray::Ray;
 
-/// What is seen at a glance.
+/// What the fast path decides about a ray.
 pub(super) enum Glance {
-    Misses,
-    Meets(Hit),
-    /// It takes a walk to tell.
-    Unclear,
+    /// It meets nothing beyond `t_min`.
+    Miss,
+    /// This is its nearest crossing.
+    Hit(Hit),
+    /// One or the other: the traversal decides.
+    Undecided,
 }
 
 /// The q of a ray that is not steep: whatever a direction's length, from 1 to 43.
@@ -54,12 +56,12 @@ impl View<'_> {
         let moment = (o.x * d.y - o.y * d.x) * frame.across;
         let moment = moment * moment;
         if moment > frame.reach * q {
-            return Glance::Misses;
+            return Glance::Miss;
         }
         let rise = d.z * d.z;
         let bulge = frame.bulge * rise;
         if !(q > greater(bulge, FLAT)) {
-            return Glance::Unclear;
+            return Glance::Undecided;
         }
 
         // Where it is nearest to the axis: how far behind its origin, how far off and how high.
@@ -82,7 +84,7 @@ impl View<'_> {
             // The flatter the ray, the farther off rounding may put the place, and so this.
             doubt *= 1.0 + (pull / d.z).abs();
             if square > frame.reach + doubt {
-                return Glance::Misses;
+                return Glance::Miss;
             }
             (z, back) = (end, back - away);
         }
@@ -91,7 +93,7 @@ impl View<'_> {
         let mut is_second = false;
         let (segment, u, kappa, [c0, c1, c2], mut s) = loop {
             let Some(segment) = segments.get(index) else {
-                return Glance::Unclear;
+                return Glance::Undecided;
             };
             let (u, kappa) = ((z - segment.low) * segment.per_height, d.z * segment.per_height);
             let [f0, f1, f2] = segment.about(u);
@@ -104,7 +106,7 @@ impl View<'_> {
                     jump() + c1.abs()
                 };
                 if lean * lean < (bulge - q) * highest {
-                    return Glance::Misses;
+                    return Glance::Miss;
                 }
             }
             let apart = c1 * c1 - c2 * c0;
@@ -116,7 +118,7 @@ impl View<'_> {
             }
             cold_path();
             if is_second {
-                return Glance::Unclear;
+                return Glance::Undecided;
             }
             is_second = true;
             let s = if apart >= 0.0 { s } else { -c1 / c2 };
@@ -144,7 +146,7 @@ impl View<'_> {
             }
             steps -= 1;
             if steps == 0 {
-                return Glance::Unclear;
+                return Glance::Undecided;
             }
         };
         // From before the last step. That turned half the slope by less than three tenths of what it exceeds J by: the
@@ -160,9 +162,9 @@ impl View<'_> {
             && (way - t_min * unit) * steep > doubt
             && is_beyond(t, t_min);
         if is_told {
-            Glance::Meets(Hit { t, segment: index, u, enters: true, part: Part::Wall })
+            Glance::Hit(Hit { t, segment: index, u, enters: true, part: Part::Wall })
         } else {
-            Glance::Unclear
+            Glance::Undecided
         }
     }
 }

@@ -19,9 +19,9 @@ impl<const N: usize> Lathe<[Segment; N]> {
     #[must_use]
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         match self.whole().glance(ray, t_min) {
-            Glance::Misses => Vec::new(),
-            Glance::Meets(nearest) => self.hits_on::<Newton, C>(ray, t_min, Some(nearest)),
-            Glance::Unclear => self.hits_on::<Newton, C>(ray, t_min, None),
+            Glance::Miss => Vec::new(),
+            Glance::Hit(nearest) => self.hits_on::<Newton, C>(ray, t_min, Some(nearest)),
+            Glance::Undecided => self.hits_on::<Newton, C>(ray, t_min, None),
         }
     }
 
@@ -68,9 +68,9 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[must_use]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         match self.whole().glance(ray, t_min) {
-            Glance::Misses => None,
-            Glance::Meets(hit) => Some(hit),
-            Glance::Unclear => self.walked(ray, t_min),
+            Glance::Miss => None,
+            Glance::Hit(hit) => Some(hit),
+            Glance::Undecided => self.walked(ray, t_min),
         }
     }
 

@@ -18,9 +18,8 @@ const NEAREST_ERROR: f32 = 1.0 / 4_194_304.0;
 struct Interval {
     from: f32,
     to: f32,
-    /// Whether it begins, and ends, on the plane of an end of the profile.
+    /// Whether it begins on the plane of an end of the profile.
     starts_at_plane: bool,
-    ends_at_plane: bool,
     /// Whether it begins on the bounding cylinder, where the ray is outside.
     starts_outside: bool,
 }
@@ -47,7 +46,7 @@ impl Interval {
         }
         let starts_outside = from > inner;
         let starts_at_plane = bottom > first && !starts_outside;
-        Some(Self { from, to, starts_at_plane, ends_at_plane: to == top, starts_outside })
+        Some(Self { from, to, starts_at_plane, starts_outside })
     }
 }
 
@@ -74,15 +73,17 @@ pub(super) fn traverse<S: Solver, B>(
     } else {
         !interval.starts_outside && ray.g_about(segment, interval.from).c[0] > 0.0
     };
+    // Once a crossing is beyond t_min all that follow are, however their t is rounded.
+    let mut since = t_min;
     if inside
         && interval.starts_at_plane
         && let Some(hit) = cap(frame, ray, interval.from, t_min, up, true)
-        && let ControlFlow::Break(found) = meet(hit)
     {
-        return Some(found);
+        since = f32::NEG_INFINITY;
+        if let ControlFlow::Break(found) = meet(hit) {
+            return Some(found);
+        }
     }
-    // Once a crossing is beyond t_min all that follow are, however their t is rounded.
-    let mut since = t_min;
     let mut at = interval.from;
     while let Some(segment) = segments.get(index) {
         let plane = ray.plane(if up { segment.high } else { segment.low });
@@ -110,8 +111,8 @@ pub(super) fn traverse<S: Solver, B>(
         }
         index = index.wrapping_add(step);
     }
+    // Where it leaves the bounding cylinder it is outside: this is the plane of the other end.
     if inside
-        && interval.ends_at_plane
         && let Some(hit) = cap(frame, ray, interval.to, since, !up, false)
         && let ControlFlow::Break(found) = meet(hit)
     {

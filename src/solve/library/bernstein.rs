@@ -1,5 +1,6 @@
+use super::collect::MOST;
+use super::cubic::DefaultSolver;
 use super::rescale::{TAME, rescaled};
-use super::{DefaultSolver, MOST};
 use crate::bernstein::Bernstein;
 use crate::cubic::Cubic;
 use crate::math::minmax::greater;

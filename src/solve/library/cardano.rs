@@ -1,4 +1,4 @@
-use super::refine;
+use super::refine::refine;
 use crate::cubic::Cubic;
 use crate::math::{Math, Native};
 use crate::solve::{Fall, Piece, Solver};

@@ -1,4 +1,4 @@
-use super::collect;
+use super::collect::collect;
 use crate::cubic::Cubic;
 use crate::math::minmax::{greater, lesser};
 use crate::solve::Solver;

@@ -1,0 +1,32 @@
+//! What a solver is, and how exact.
+
+use super::piece::Piece;
+use crate::cubic::Cubic;
+use crate::math::Math;
+
+/// The relative change of each coefficient, in units of 2⁻²⁴, within which every answer is exact. Measured,
+/// not proved: the largest seen is 2.4 units (`docs/ACCURACY.md`), and the laboratory's exact judge asserts
+/// the bound.
+pub const BACKWARD_ERROR: f32 = 4.0;
+
+/// A method that computes where a cubic crosses zero in a piece in which it does so once.
+///
+/// ```
+/// use embedded_lathe::{Cubic, math::Libm, solve::{Cardano, Solver, Split}};
+///
+/// fn middle_root<S: Solver>() -> f32 {
+///     Cubic::new([-6.0, 11.0, -6.0, 1.0]).first_root_by::<S>(1.5, 10.0).unwrap()
+/// }
+///
+/// // Its terms add up to 60: the last bits of the root are those of the coefficients.
+/// assert!((middle_root::<Split>() - 2.0).abs() < 1e-5);
+/// assert!((middle_root::<Cardano<Libm>>() - 2.0).abs() < 1e-5);
+/// ```
+pub trait Solver {
+    /// The library that the solver takes its square root, and what else it needs, from.
+    type Math: Math;
+
+    /// Returns the root of `g` in `piece`. The caller replaces a result outside the piece by the nearer end,
+    /// and NaN by `hi`.
+    fn root(g: &Cubic, piece: &Piece) -> f32;
+}

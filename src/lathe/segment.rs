@@ -1,52 +1,67 @@
+//! One segment of a lathe: its cubic, and bounds on it.
+
 use crate::math::minmax::{greater, lesser};
 use crate::profile::Span;
 
-/// One segment of a lathe, in the lathe's frame. Made by [`Lathe::turn`](crate::Lathe::turn).
+/// One segment of a lathe: a cubic piece of the profile, prepared for rays.
+/// [`Lathe::turn`](crate::Lathe::turn) makes it.
 ///
-/// In this version a segment takes 76 bytes of flash, or of memory if it is not a `static`; others may differ.
+/// In this version a segment takes 76 bytes of flash, or of memory if it is not a `static`; other versions
+/// may differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Segment {
+    // All lengths are in the lathe's frame. "By height" means over z, other derivatives are over u.
+    /// The heights of the two ends.
     pub(super) low: f32,
     pub(super) high: f32,
-    /// 1/(high − low).
+    /// 1/h, `h = high − low`. Infinite where the two heights are the same number in the frame.
     pub(super) per_height: f32,
-    /// Squared radius, `f0 + f1·u + f2·u² + f3·u³`.
+    /// The power coefficients of the squared radius, `f0 + f1·u + f2·u² + f3·u³`.
     pub(super) f: [f32; 4],
-    /// The same as Bernstein ordinates: accurate near u = 1, too, where the powers cancel.
+    /// The Bernstein ordinates of the squared radius: accurate near u = 1, too, where the powers cancel.
     pub(super) b: [f32; 4],
     /// The height at which the segment is narrowest.
     pub(super) narrowest: f32,
-    /// The square of the radius of a cylinder around the segment, wide enough that a point on it is outside
-    /// whatever rounding does.
+    /// The squared radius of the bounding cylinder: the segment's largest squared radius, [`widened`].
     pub(super) reach: f32,
-    /// Half the largest second derivative of the squared radius by height.
+    /// An upper bound of half the second derivative of the squared radius by height; negative if that is.
     pub(super) bulge: f32,
-    /// By how much the first jumps upwards where this segment ends and the next begins, or zero.
+    /// The slope jump at the upper end: by how much the first derivative by height is larger where the next
+    /// segment begins than where this one ends, or zero if it is not larger.
     pub(super) kink: f32,
-    /// Three times the two inner ordinates, and half of f1 and three halves of f3: what a glance needs of them.
+    /// `[3·b1, 3·b2]`, for [`Segment::about`].
     inner: [f32; 2],
+    /// `[f1/2, 3·f3/2]`, for [`Segment::about`].
     half: [f32; 2],
 }
 
-/// The larger of two numbers, or that which is none: what a segment of no height in the frame leaves unknown stays so.
+/// The larger of two numbers, and NaN if `a` or `b` is. A segment whose height vanishes in the frame has
+/// bounds of 0·∞ = NaN; the lathe's bounds, folded from them, are then NaN, too, and certify nothing.
 pub(super) const fn larger(a: f32, b: f32) -> f32 {
     if a > b || a.is_nan() { a } else { b }
 }
 
-/// A squared radius widened by 2⁻⁹, a thousand times the rounding of anything compared with it.
+/// A squared radius r², enlarged by 2⁻⁹ of itself for a bounding cylinder: a point outside of that is outside
+/// the solid, and a point computed to be on it is outside, however rounded.
+///
+/// 2⁻⁹ is 2¹⁵ units of 2⁻²⁴. Rounding takes 33 units of r² near the lathe's largest radius (see
+/// [`frame::ROUNDING`](super::frame::ROUNDING)), a thousandth of that. The rest is for the distance D of the
+/// ray's origin, which takes 4·D: enough up to 2¹³ − 8 radii. Farther away, and for segments that are
+/// narrower by that factor, a ray that is passed over in error is one that passes the silhouette within
+/// rounding.
 pub(super) const fn widened(square: f32) -> f32 {
     square * (1.0 + 1.0 / 512.0)
 }
 
-/// The power of two whose square brings `square` into [1, 4).
+/// The power of two p for which `p²·square` is in [1, 4), given a positive normal `square`.
 pub(super) const fn power_of_two_for(square: f32) -> f32 {
     let exponent = (square.to_bits() >> 23) as i32 - 127;
     f32::from_bits(((127 - exponent.div_euclid(2)) << 23) as u32)
 }
 
 impl Segment {
-    /// Above everything.
+    /// A segment that no ray meets, for spare capacity: it begins above every height.
     pub(super) const EMPTY: Self = Self {
         low: f32::INFINITY,
         high: 0.0,
@@ -61,6 +76,8 @@ impl Segment {
         half: [0.0; 2],
     };
 
+    /// A segment in the frame, given its piece of the profile, the height of the frame's origin and the
+    /// frame's scale. It has no slope jump yet.
     pub(super) const fn new(span: &Span, middle: f32, scale: f32) -> Self {
         let square = scale * scale;
         let [b0, b1, b2, b3] = span.b;
@@ -77,7 +94,7 @@ impl Segment {
             b,
             narrowest: low + span.narrowest * (high - low),
             reach: widened(span.largest * square),
-            // The second derivative of a cubic is largest at an end.
+            // The second derivative of a cubic is linear, and so largest at an end.
             bulge: larger(c2, c2 + 3.0 * c3) * per_height * per_height,
             kink: 0.0,
             inner: [3.0 * b[1], 3.0 * b[2]],
@@ -85,41 +102,45 @@ impl Segment {
         }
     }
 
-    /// Half the largest second derivative by height, whatever its sign.
+    /// The largest magnitude of half the second derivative by height. NaN for a segment of no height.
     pub(super) const fn curvature(&self) -> f32 {
         let [_, _, c2, c3] = self.f;
         larger(c2.abs(), (c2 + 3.0 * c3).abs()) * self.per_height * self.per_height
     }
 
-    /// A bound on the first derivative by height, whatever its sign.
+    /// An upper bound of the magnitude of the first derivative by height. That derivative is 3/h times a
+    /// weighted mean of the differences of neighbouring ordinates. NaN or infinite for a segment of no
+    /// height.
     pub(super) const fn steepest(&self) -> f32 {
         let [b0, b1, b2, b3] = self.b;
         3.0 * (b1 - b0).abs().max((b2 - b1).abs()).max((b3 - b2).abs()) * self.per_height
     }
 
-    /// The same, before another.
+    /// This segment with the slope jump to the next one.
     pub(super) const fn before(self, next: &Self) -> Self {
         let jump =
             3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height;
+        // NaN stays NaN.
         Self { kink: if jump <= 0.0 { 0.0 } else { jump }, ..self }
     }
 
-    /// The squared radius at the upper end, or the lower: a neighbour has the same number there.
+    /// The squared radius at the upper end, or at the lower: the same bits as the neighbour has there.
     #[inline(always)]
     pub(super) fn end(&self, upper: bool) -> f32 {
         let [lower, .., last] = self.b;
         if upper { last } else { lower }
     }
 
-    /// The profile's parameter at a height of the frame, held to the segment.
+    /// The parameter u at a height of the frame, clamped to [0, 1]; 0 if the quotient is NaN.
     #[inline]
     pub(super) fn parameter(&self, z: f32) -> f32 {
         let u = (z - self.low) * self.per_height;
         lesser(1.0, greater(0.0, u))
     }
 
-    /// The squared radius and its derivative by u, in Bernstein form, 0 ≤ u ≤ 1: exact to a few units of 2⁻²⁴
-    /// where no ordinate is negative.
+    /// The squared radius and its derivative over u, for 0 ≤ u ≤ 1, by de Casteljau's interpolations: where
+    /// no ordinate is negative, the squared radius is off by at most 10 units of 2⁻²⁴ of itself (see
+    /// [`Bernstein::at`](crate::Bernstein::at)).
     #[inline]
     pub(super) fn at(&self, u: f32) -> (f32, f32) {
         let [b0, b1, b2, b3] = self.b;
@@ -129,8 +150,10 @@ impl Segment {
         (d0 * v + d1 * u, 3.0 * (d1 - d0))
     }
 
-    /// The squared radius at the heights of a ray, in powers of the distance s from where that has the parameter u:
-    /// Taylor's formula, κ = du/ds = dz/h.
+    /// The squared radius along a ray as a cubic in s, the distance from the point of the ray at the height
+    /// of u, constant term first: Taylor's formula with κ = du/ds = dz/h, given u and dz,
+    ///
+    /// `f(u) + f′(u)·κ·s + f″(u)/2·κ²·s² + f₃·κ³·s³`.
     #[inline(always)]
     pub(super) fn along(&self, u: f32, dz: f32) -> [f32; 4] {
         let (f, slope) = self.at(u);
@@ -139,16 +162,17 @@ impl Segment {
         [f, slope * kappa, (3.0 * f3 * u + f2) * (kappa * kappa), f3 * (kappa * kappa * kappa)]
     }
 
-    /// The squared radius at u, and halves of its first two derivatives: by Horner's rule in Bernstein form, as exact as
-    /// [`Segment::at`], and in powers.
+    /// `[f(u), f′(u)/2, f″(u)/2]`, for 0 ≤ u ≤ 1: the squared radius by Horner's rule in Bernstein form, as
+    /// accurate as by [`Segment::at`] and cheaper, the halves of its derivatives from the power coefficients.
     #[inline(always)]
     pub(super) fn about(&self, u: f32) -> [f32; 3] {
         let Self { f: [b0, _, f2, _], inner: [b1, b2], b: [.., b3], half: [h0, h2], .. } = *self;
         let v = 1.0 - u;
         let w = u * u;
         let f = ((b0 * v + b1 * u) * v + b2 * w) * v + b3 * (w * u);
-        let turn = h2 * u;
-        let lean = turn + f2;
-        [f, lean * u + h0, lean + turn]
+        // f′/2 = f1/2 + f2·u + 3·f3/2·u², f″/2 = f2 + 3·f3·u.
+        let half = h2 * u;
+        let once = half + f2;
+        [f, once * u + h0, once + half]
     }
 }

@@ -1,3 +1,5 @@
+//! A ray's chord in the slab of one segment, and where it crosses the surface.
+
 use super::local_ray::LocalRay;
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
@@ -6,14 +8,15 @@ use crate::math::UNIT_ROUNDOFF;
 use crate::math::minmax::{greater, lesser};
 use crate::solve::Crossings;
 
-/// What of a ray lies in one segment's slab, and g along it.
+/// The part of a ray that lies in one segment's slab, and g along it as a cubic in s, the distance from
+/// `origin`.
 pub(super) struct Chord<'a> {
-    path: &'a LocalRay,
+    ray: &'a LocalRay,
     segment: &'a Segment,
+    /// The segment's number.
     index: usize,
-    /// Where on the path s = 0.
+    /// The local ray's t at s = 0.
     origin: f32,
-    /// g over s.
     g: Cubic,
     /// The chord's ends, in s.
     from: f32,
@@ -21,63 +24,69 @@ pub(super) struct Chord<'a> {
 }
 
 impl<'a> Chord<'a> {
-    /// The chord between two of the ray's t.
+    /// The chord of segment number `index` between two of the local ray's t.
     ///
-    /// g is formed about the point nearest to the axis, where x² + y² is least, unless f and x² + y² are less where the segment
-    /// is narrowest, as they can be for a steep ray: so that by a pole or in a narrow neck the coefficients are as small as the
-    /// solid is there.
+    /// g is formed about the chord's point nearest to the axis, where x² + y² is least, or about the point at
+    /// the height where the segment is narrowest, if f + x² + y² is less there, as it can be for a steep ray.
+    /// So by a pole or in a narrow neck the coefficients, and their rounding, are as small as the solid is
+    /// there.
     #[inline(always)]
-    pub fn new(path: &'a LocalRay, segment: &'a Segment, index: usize, [from, to]: [f32; 2]) -> Self {
-        let mut origin = path.closest(from, to);
-        let mut g = path.g_about(segment, origin);
-        let f = g.c[0] + path.around(origin).0;
-        let narrow = lesser(to, greater(from, path.plane(segment.narrowest)));
-        let square = path.around(narrow).0;
-        if square - path.square < f {
-            let there = path.g_about(segment, narrow);
-            if there.c[0] + square + (square - path.square) < f {
+    pub fn new(ray: &'a LocalRay, segment: &'a Segment, index: usize, [from, to]: [f32; 2]) -> Self {
+        let mut origin = ray.closest(from, to);
+        let mut g = ray.g_about(segment, origin);
+        // g's constant term is f − (x² + y²).
+        let f = g.c[0] + ray.around(origin).0;
+        let narrow = lesser(to, greater(from, ray.plane(segment.narrowest)));
+        let square = ray.around(narrow).0;
+        if square - ray.square < f {
+            let there = ray.g_about(segment, narrow);
+            if there.c[0] + square + (square - ray.square) < f {
                 (origin, g) = (narrow, there);
             }
         }
-        Self { path, segment, index, origin, g, from: from - origin, to: to - origin }
+        Self { ray, segment, index, origin, g, from: from - origin, to: to - origin }
     }
 
-    /// Where g crosses zero along the chord, given the sides that the ray is on where it begins and where it ends.
+    /// The roots of g along the chord, in order, one for each change of sides, given on which side of the
+    /// surface the ray is where the chord begins and where it ends.
     #[inline(always)]
     pub fn crossings(&self, inside: bool, ends_inside: bool) -> Crossings<'_> {
         Crossings::between(&self.g, [self.from, self.to], [inside, ends_inside])
     }
 
-    /// The hit at a root of g.
+    /// The hit at the root s of g, refined.
     #[inline]
     pub fn hit(&self, s: f32, enters: bool) -> Hit {
         let ends = [self.origin + self.from, self.origin + self.to];
-        let t = refined(self.path, self.segment, self.origin + s, ends);
+        let t = refined(self.ray, self.segment, self.origin + s, ends);
         Hit {
-            t: self.path.distance(t),
+            t: self.ray.distance(t),
             segment: self.index,
-            u: self.segment.parameter(self.path.height(t)),
+            u: self.segment.parameter(self.ray.height(t)),
             enters,
             part: Part::Wall,
         }
     }
 }
 
-/// The root of a parabola that all but touches zero is half as far after each step: from 2⁻¹² of the chord, where a double root
-/// may be misplaced by the root of 2⁻²⁴, to 2⁻²⁴.
-const MOST_STEPS: u32 = 12;
+/// The most steps of Newton's method that refine a root. They converge quadratically, except at an almost
+/// double root, where each step halves the error: from 2⁻¹² = √2⁻²⁴ of the chord, by which rounding can
+/// misplace a double root, to 2⁻²⁴.
+const REFINING_STEPS: u32 = 12;
 
-/// The place of a root between two of the ray's t, found anew from near it.
+/// The t of a root of g, by Newton's method from the t given, clamped to [from, to].
 ///
-/// Far from where g is formed it is known to a few units of 2⁻²⁴ of all its terms there; formed about the root it is
-/// known to those of f and x² + y². Newton's steps take that in: one, or two, but where a segment comes to a point that is
-/// blunt only from very near. There the root is all but double, and each step halves what is left. A step of four units of
-/// 2⁻²⁴, of t or of the frame's unit, no more than the largest radius, is the last.
+/// Far from the point that g was formed about, g is off by a few units of 2⁻²⁴ of all its terms there, and
+/// its root accordingly. Formed anew about each approximation, g is off by units of f and x² + y² only. One
+/// step or two suffice, except where a segment comes to a point that is blunt only from very near: there the
+/// root is almost double, and each step halves the error. The last step is one of at most four units of 2⁻²⁴
+/// of t, or of 1, which is at most the largest radius: about what the rounding of t and of g leaves.
 #[inline(never)]
-fn refined(path: &LocalRay, segment: &Segment, mut t: f32, [from, to]: [f32; 2]) -> f32 {
-    for _ in 0..MOST_STEPS {
-        let [c0, c1, c2, _] = path.g_about(segment, t).c;
-        // Otherwise g's parabola has no root that way, or one nearer than half a step.
+fn refined(ray: &LocalRay, segment: &Segment, mut t: f32, [from, to]: [f32; 2]) -> f32 {
+    for _ in 0..REFINING_STEPS {
+        let [c0, c1, c2, _] = ray.g_about(segment, t).c;
+        // For |c0·c2| ≥ c1²/4 the root of g's parabola is double, or missing, or the step is too long by
+        // half.
         if !(4.0 * (c0 * c2).abs() < c1 * c1) {
             break;
         }

@@ -65,7 +65,7 @@ impl Rgb {
     }
 }
 
-/// A color in the shades of a display, as [`Paint::shade`] gets it: red, green and blue in fixed point, in
+/// A color in the *shades* of a display, as [`Paint::shade`] gets it: red, green and blue in fixed point, in
 /// units of 2⁻²³ of one shade, so that light is cast on it by three integer multiplications.
 ///
 /// ```

@@ -1,4 +1,4 @@
-//! A profile made ready to meet rays.
+//! A profile made ready to meet rays: the *lathe*, its *segments*, and its own *frame*.
 //!
 //! ```text
 //! Ray ─┬─ LocalRay ───── Chord ─────────────── Cubic ──────── crossings ── Hit

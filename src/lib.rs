@@ -64,9 +64,47 @@
 //!
 //! # Letters
 //!
-//! One meaning each: u the profile's parameter in its segment, 0 to 1; s and t distances along a ray; r
-//! radius, z height; x, y, z space; b Bernstein ordinates, f power coefficients, c0 to c3 a cubic's; k the
-//! squash; g = f(u) − (k·x² + y²), positive inside.
+//! One meaning each, throughout:
+//!
+//! | letter | what it is |
+//! |---|---|
+//! | x, y, z | coordinates; z is the height, along the axis |
+//! | r, k | radius; the squash, by which x² counts less than y² |
+//! | u | the profile's parameter in its segment, 0 at the lower knot, 1 at the upper |
+//! | f, F | the squared radius as a function of u; as a function of z |
+//! | b; f0 to f3 | a segment's Bernstein ordinates; the same cubic's coefficients in powers of u |
+//! | c0 to c3 | the coefficients of any cubic, constant term first |
+//! | g | f − (k·x² + y²): positive inside the solid, negative outside |
+//! | t, s | the distance along a ray in units of its direction; the same counted from a point near the solid |
+//! | q | dx² + dy² of a ray's direction, in the frame |
+//! | κ | du/ds along a ray |
+//! | A | dg/ds at a root |
+//! | M, D | a point and the direction of a row's ray, in the frame: the ray is M + s·D |
+//! | i, j | columns and rows of pixels; where there are no pixels, indices |
+//!
+//! # Glossary
+//!
+//! Words of this crate's own, in italics where a file first leans on one:
+//!
+//! | word | what it means |
+//! |---|---|
+//! | *lathe* | a solid of revolution made ready to meet rays: a profile's segments with their bounds |
+//! | *segment* | the part of a profile between two knots, where the squared radius is one cubic |
+//! | *frame* | a lathe's own coordinates: origin half way up the axis, scaled by a power of two so that the largest squared radius is in [1, 4), x scaled by √k |
+//! | *slab* | the space between the planes of a segment's two knots |
+//! | *chord* | the part of a ray in a segment's slab |
+//! | *unit* | of the promise below: 2⁻²⁴·(size + distance) |
+//! | *fast path* | the conservative answer for one ray, by bounds of the whole profile: miss, hit, or undecided |
+//! | *traversal* | the complete answer for one ray, chord by chord |
+//! | *undecided band* | values of g so near to zero, or heights so near to an end, that rounding may decide: there neither fast path nor row answers |
+//! | *sweep* | the traversal of a row of rays together, pixel after pixel from the middle outwards |
+//! | *span* | neighbouring pixels of a row that are alike: tracked, cap, empty or single |
+//! | *tracked root* | the crossing of one pixel's ray carried on to the next by Newton's method |
+//! | *certificate* | why a tracked root is its ray's nearest, and for how many pixels |
+//! | *probe* | an upper bound of g along one ray, and the number of neighbours for which it proves a miss |
+//! | *slope jump* | by how much dF/dz rises at a knot (`kink` in names) |
+//! | *single ray* | a ray cast for one pixel where the row is undecided |
+//! | *shade* | a step of a display's color channel |
 //!
 //! # What is promised
 //!

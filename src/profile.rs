@@ -96,7 +96,7 @@ const MOST: f32 = 1e10;
 impl<const N: usize> Profile<N> {
     /// A round profile of n segments, open at both ends; n is from 1 to N.
     ///
-    /// The knots are n + 1 increasing heights. The ordinates are 3·n + 1 *squared* radii, the Bézier control
+    /// The knots are n + 1 increasing heights. The ordinates are 3·n + 1 squared radii, the Bézier control
     /// values of the segments one after another, where neighbours share the one at their join. A radius of
     /// 0.3 is an ordinate of 0.09.
     ///

@@ -76,7 +76,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
 /// The offset of a spawned ray, over the lengths that its rounding is measured by.
 ///
-/// The promise puts the hit within 4 units of the surface, a unit 2⁻²⁴·(size + distance + the hit's own
+/// The promise puts the hit within 4 *units* of the surface, a unit 2⁻²⁴·(size + distance + the hit's own
 /// distance), and that is no more than 2·(size + distance); `Ray::at` rounds a product and a sum, 1 more and
 /// |point|; and the ray that leaves has to clear the surface by 4 units of 2⁻²⁴·(size + size), its origin
 /// being rounded once more, |point|. In all 18·size + 10·distance + 2·|point|, size at most 2·R: 16 times

@@ -1,4 +1,4 @@
-//! One ray at a lathe.
+//! One ray at a lathe: the *fast path* answers most, the *traversal* all, *chord* by chord.
 //!
 //! The same ray is parametrised three ways:
 //!

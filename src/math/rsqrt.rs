@@ -3,7 +3,7 @@
 /// root and a division take on a Cortex-M4F.
 ///
 /// The seed comes of the bits of x, as Walsh had it: within 3.44 % by 0x5f37_642f, the best constant before
-/// any step (Lomont, *Fast inverse square root*, 2003), here rounded to 0x5f37_6800, by which it is within
+/// any step (Lomont, “Fast inverse square root”, 2003), here rounded to 0x5f37_6800, by which it is within
 /// 3.431 %. Two steps `y ← y·(a − x/2·y²)` follow. From a relative error e one leaves
 /// `d·(1 + e) − (3·e² + e³)/2`, a = 3/2 + d. Newton's has d = 0, and an error to one side. The first step's d
 /// makes the error ±8.8·10⁻⁴ (`laboratory/tests/fits.rs`), of which the second, by 3·e²/2 = 1.2·10⁻⁶ and d =

@@ -1,4 +1,4 @@
-//! A ray's chord in the slab of one segment, and where it crosses the surface.
+//! A ray's chord in the *slab* of one segment, and where it crosses the surface.
 
 use super::local_ray::LocalRay;
 use crate::cubic::Cubic;

@@ -7,7 +7,7 @@ use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::vector::{F32x3, cross, dot, dot_xy, one_norm, vector};
 
-/// The half-width in g, besides rounding, of the band about zero in which a row decides nothing.
+/// The half-width in g, besides rounding, of the *undecided band* about zero.
 ///
 /// A choice, in the frame, where the largest radius is between 1 and 2: 128 times the error in s that
 /// Newton's method leaves ([`ROOT`]), and 2⁻¹³/r of a radius r, which is a hundredth of a pixel where the

@@ -1,6 +1,6 @@
 //! Whether a tracked root is its ray's nearest: whether g keeps its sign all along the ray before it.
 //!
-//! Most often an entering root's own slope says so. Let A = dg/ds there, J the sum of the slope jumps at the
+//! Most often an entering root's own slope says so. Let A = dg/ds there, J the sum of the *slope jumps* at the
 //! knots that the ray may have passed before, times |dz|, and `g″ ≤ 2K` between knots. Then x before the root
 //!
 //! `g ≤ −(A − J)·x + K·x²`, K = bulge·dz² − q, J = kinks·|dz|.

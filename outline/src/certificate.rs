@@ -524,7 +524,8 @@ impl<'a> Proof<'a> {
             let to_end =
                 self.radii(if tip == 0 { Range(ends.0, heights.1) } else { Range(heights.0, ends.1) });
             let across = (radii.1 - to_end.0).max(to_end.1 - radii.0).max(0.0);
-            let to_step = (height / least).min(height.hypot(across)).next_up();
+            let along_line = if least > 0.0 { height / least } else { f64::INFINITY };
+            let to_step = along_line.min(height.hypot(across)).next_up();
             let goes = if (tip == 1) == rises { &mut along } else { &mut against };
             *goes = goes.min(to_step);
             // The step ends with the section, which must not lie beyond.

@@ -1,5 +1,6 @@
 //! What the command line asks for.
 
+mod convert;
 mod inspect;
 
 use clap::{Args, Parser, Subcommand};
@@ -11,10 +12,12 @@ use std::{path::PathBuf, process::ExitCode};
 
 /// From a drawing to a solid for embedded-lathe: prints the `static`, its error proven.
 #[derive(Parser)]
-#[command(version)]
+#[command(version, args_conflicts_with_subcommands = true, arg_required_else_help = true)]
 struct Command {
     #[command(subcommand)]
-    other: Other,
+    other: Option<Other>,
+    #[command(flatten)]
+    convert: convert::Arguments,
 }
 
 #[derive(Subcommand)]
@@ -80,6 +83,7 @@ fn half(text: &str) -> Result<Half, String> {
 pub(crate) fn run() -> ExitCode {
     let command = Command::parse();
     match command.other {
-        Other::Inspect { directory, reading } => inspect::run(&directory, &reading.options()),
+        Some(Other::Inspect { directory, reading }) => inspect::run(&directory, &reading.options()),
+        None => command.convert.run(),
     }
 }

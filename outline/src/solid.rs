@@ -317,7 +317,7 @@ fn fit_section(section: &Section, fit: &Fit) -> Result<(Vec<Segment>, [bool; 2],
     // Distances are sampled, and to first order, before they are proven.
     let mut aim = 0.98 * fit.tolerance;
     let mut reached = f64::INFINITY;
-    for _ in 0..TRIES {
+    for attempt in 0..TRIES {
         let Some(fitted) = fit::fewest(section, aim, fit.places) else { break };
         let segments: Vec<Segment> = fitted.segments.iter().map(Segment::rounded).collect();
         if segments.iter().any(|segment| segment.z[0] >= segment.z[1]) {
@@ -328,7 +328,8 @@ fn fit_section(section: &Section, fit: &Fit) -> Result<(Vec<Segment>, [bool; 2],
             return Ok((segments, fitted.steps, error));
         }
         reached = reached.min(error);
-        aim *= (0.98 * fit.tolerance / error).clamp(0.6, 0.98);
+        // A proof may miss by little what it would take a far tighter fit to mend.
+        aim *= (0.98 * fit.tolerance / error).clamp(0.6, 0.98) * 0.97f64.powi(attempt as i32);
     }
     let between = [section.low.at.z, section.high.at.z];
     Err(OutlineError::OutOfReach { tolerance: fit.tolerance / SHARE, between, reached })

@@ -49,13 +49,13 @@ fn check(seeds: core::ops::Range<u64>, places: usize) {
 /// The distance measured both ways is below the bound, and the bound below the tolerance.
 fn hold(seed: u64, outline: &Outline, body: &Body) {
     assert!(body.error <= body.tolerance, "seed {seed}: proven {} for {}", body.error, body.tolerance);
-    let at = |what: &str, measured: f64| {
+    let at = |what: &str, (measured, place): (f64, Point)| {
         // What the chords of the lines measured against are off by: below a 10⁻⁶ of the size.
         let chords = 2e-6 * outline.size();
         let [error, tolerance] = [body.error, body.tolerance];
         assert!(
             measured <= error + chords,
-            "seed {seed}, {tolerance:e}: {what} is off by {measured:e}, proven {error:e}"
+            "seed {seed}, {tolerance:e}: {what} is off by {measured:e} at {place:?}, proven {error:e}\n{body:?}\n{outline:?}"
         );
     };
     let fitted = lines(body, 200);

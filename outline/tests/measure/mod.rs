@@ -35,8 +35,8 @@ fn line(sheet: &Sheet, each: usize) -> Vec<Point> {
     points
 }
 
-/// The largest distance of some points from the nearest of some lines.
-pub fn farthest(points: &[Point], lines: &[Vec<Point>]) -> f64 {
+/// The largest distance of some points from the nearest of some lines, and where it is.
+pub fn farthest(points: &[Point], lines: &[Vec<Point>]) -> (f64, Point) {
     let chords: Vec<[Point; 2]> =
         lines.iter().flat_map(|line| line.windows(2).map(|p| [p[0], p[1]])).collect();
     let nearest = |p: &Point| {
@@ -48,7 +48,8 @@ pub fn farthest(points: &[Point], lines: &[Vec<Point>]) -> f64 {
             }
         })
     };
-    points.iter().map(nearest).fold(0.0, f64::max)
+    let start = (0.0, point(f64::NAN, f64::NAN));
+    points.iter().map(|p| (nearest(p), *p)).fold(start, |a, b| if b.0 > a.0 { b } else { a })
 }
 
 fn to_chord(p: Point, a: Point, b: Point) -> f64 {

@@ -1,0 +1,55 @@
+//! Source text to paste, or to include from a `build.rs`.
+
+use crate::{Body, Profiles, read::Unit};
+use std::fmt::Write;
+
+/// What the comment says of where the numbers are from.
+#[derive(Clone, Debug)]
+pub struct Origin {
+    /// The name of the `static`, in capitals.
+    pub name: String,
+    /// The file, or whatever else it is from.
+    pub source: String,
+    /// What the numbers are.
+    pub unit: Unit,
+}
+
+impl Origin {
+    /// The name of a `static` from that of a file: in capitals, with underscores for what Rust does not allow.
+    pub fn named(file: &str, source: String, unit: Unit) -> Self {
+        let mut name: String = file
+            .chars()
+            .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' })
+            .collect();
+        if !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            name.insert_str(0, "OUTLINE_");
+        }
+        Self { name, source, unit }
+    }
+}
+
+/// A body as a `static` inside `valid!`, with a comment of its name, its source, its tolerance and its proven error.
+/// It compiles after `use embedded_lathe::*;`.
+pub fn source(body: &Body, origin: &Origin) -> String {
+    let mut text = String::new();
+    let unit = origin.unit.symbol();
+    let segments = body.segments();
+    let _ = writeln!(text, "// {}, from {}: {segments} segments.", origin.name, origin.source);
+    let _ = writeln!(
+        text,
+        "// Within {:?}{unit} of the drawing; proven for these numbers: {:.3e}{unit}.",
+        body.tolerance, body.error
+    );
+    for warning in &body.warnings {
+        let _ = writeln!(text, "// Mind: {warning}.");
+    }
+    let profiles = Profiles::of(body);
+    for (height, [from, to]) in &profiles.open {
+        let _ = writeln!(
+            text,
+            "// Left open: the ring at height {height:.5} between the radii {from:.5} and {to:.5}."
+        );
+    }
+    text.push_str(&profiles.source(&origin.name));
+    text
+}

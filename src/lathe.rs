@@ -49,7 +49,7 @@ use segment::{larger, power_of_two_for, widened};
 /// )));
 ///
 /// let ray = Ray::new([0.0, -2.0, 0.5], [0.0, 1.0, 0.0])?;
-/// let hits = VASE.hits::<8>(&ray, 0.0);
+/// let hits = VASE.hits::<9>(&ray, 0.0);
 /// assert_eq!(hits.len(), 2);
 /// assert!(hits[0].enters && !hits[1].enters);
 /// assert_eq!(VASE.nearest(&ray, 0.0), Some(hits[0]));
@@ -77,11 +77,12 @@ impl<const N: usize> Lathe<[Segment; N]> {
             segments[i] = Segment::new(&profile.spans[i], middle, scale);
             i += 1;
         }
-        let (mut steepest, mut curvature, mut bulge, mut kinks) = (0.0, 0.0, 0.0, 0.0);
+        let (mut steepest, mut curvature, mut bulge, mut kinks, mut steps) = (0.0, 0.0, 0.0, 0.0, 0.0);
         let mut i = 0;
         while i < len {
             if i + 1 < len {
                 segments[i] = segments[i].before(&segments[i + 1]);
+                steps += (segments[i + 1].b[0] - segments[i].b[3]).abs();
             }
             bulge = larger(bulge, segments[i].bulge);
             kinks += segments[i].kink;
@@ -95,6 +96,12 @@ impl<const N: usize> Lathe<[Segment; N]> {
         let reach = widened(largest * scale * scale);
         let root_squash = const_fn::sqrt(profile.squash);
         let size = const_fn::sqrt(reach + half * half);
+        let rounding = frame::ROUNDING * (2.0 + steepest);
+        let square = scale * scale;
+        let base = EndPlane::new(segments[0].b[0], profile.below * square, Part::Base);
+        let top = EndPlane::new(segments[len - 1].b[3], profile.above * square, Part::Top);
+        // By how much g may jump upwards along a ray, in all.
+        let jumps = steps + base.flange() + top.flange();
         let frame = Frame {
             len,
             squash: profile.squash,
@@ -111,12 +118,14 @@ impl<const N: usize> Lathe<[Segment; N]> {
             curvature,
             bulge: larger(bulge, frame::LEAST_BULGE),
             kinks: 0.5 * kinks,
-            base: EndPlane::new(segments[0].b[0], profile.base, Part::Base),
-            top: EndPlane::new(segments[len - 1].b[3], profile.top, Part::Top),
+            base,
+            top,
+            has_rings: steps > 0.0 || base.is_ring() || top.is_ring(),
+            has_jumps: jumps > 0.0,
             stride: len.div_ceil(2).next_power_of_two(),
             across: scale * root_squash,
-            rounding: frame::ROUNDING * (2.0 + steepest),
-            room: frame::ROOM * size,
+            rounding,
+            room: frame::ROOM * size + jumps / rounding,
         };
         Self { frame, segments }
     }
@@ -188,10 +197,14 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// `(2k·x, 2y, −f′(u)/h)` on the wall, in the lathe's frame; on a cap, and where that vector is zero, along the axis.
     pub(crate) fn gradient_at(&self, point: F32x3, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
-        match hit.part {
-            Part::Base => return vector([0.0, 0.0, -1.0]),
-            Part::Top => return vector([0.0, 0.0, 1.0]),
-            Part::Wall => {}
+        let faces_up = match hit.part {
+            Part::Base => Some(frame.base.wall < frame.base.beyond),
+            Part::Top => Some(frame.top.wall > frame.top.beyond),
+            Part::Ring => Some(hit.u > 0.5),
+            Part::Wall => None,
+        };
+        if let Some(faces_up) = faces_up {
+            return vector([0.0, 0.0, if faces_up { 1.0 } else { -1.0 }]);
         }
         // NaN for a segment of no height in the frame, whose 1/h is infinite.
         let slope = segments.get(hit.segment).map_or(0.0, |segment| segment.at(hit.u).1 * segment.per_height);

@@ -3,11 +3,13 @@
 mod error;
 mod extremes;
 mod quadrics;
+mod steps;
 
 pub use error::ProfileError;
 
 use crate::math::const_fn;
 use extremes::Extremes;
+use steps::{Counts, is_step};
 
 /// One cubic piece of a profile: between the heights z and z + h, at `z + h·u`, the squared radius is
 /// `Σ bⱼ·Bⱼ³(u)`.
@@ -23,7 +25,7 @@ pub(crate) struct Span {
     pub narrowest: f32,
 }
 
-/// The kind of an end of a profile.
+/// The kind of an end of a profile. A ring, which closes part of an end, is written as a step there: see [`Profile`].
 ///
 /// ```
 /// use embedded_lathe::{End, Profile};
@@ -37,7 +39,7 @@ pub(crate) struct Span {
 pub enum End {
     /// The wall stops there. Through the opening the inside of the wall is seen.
     Open,
-    /// A flat disc closes it.
+    /// A flat disc closes it: a step to zero.
     Capped,
 }
 
@@ -55,6 +57,45 @@ pub enum End {
 ///    │  b₀
 ///    └──────────────── r²
 /// ```
+///
+/// # Steps
+///
+/// A knot that stands twice is a step: there the outline goes level from one squared radius to another, and turned that is a
+/// flat ring. The ordinate there stands twice as well, the squared radius just below the step first, then the one just above:
+///
+/// ```text
+///  z │    b₇                  knots      z₀ < z₁ = z₂ < z₃     the step's stands twice
+///  z₃├────●                   ordinates  b₀ … b₃               the segment below,
+///    │    ● b₆                           b₄ … b₇               and that above
+///    │    ● b₅      b₃
+///  z₂├────●─────────●  z₁     n segments and s steps have n + s + 1 knots and
+///    │    b₄    b₂ ●          3·n + 1 + s ordinates
+///    │          b₁ ●
+///  z₀├─────────────●
+///    │             b₀
+///    └──────────────── r²
+/// ```
+///
+/// Steps do not count in N, and take no memory. A first knot that stands twice is a ring that closes part of the lower end: the
+/// first ordinate is the squared radius of what stays open, or, if it is larger than the second, of a flange. So a cap is a step
+/// to zero, and [`End::Capped`] is short for it.
+///
+/// ```
+/// use embedded_lathe::{End, Profile};
+///
+/// // A knob: a cylinder, a flat shoulder, and a thinner cylinder with a cap.
+/// let knob = Profile::<2>::from_squared_radii(
+///     &[0.0, 0.2, 0.2, 0.38],
+///     &[0.25, 0.25, 0.25, 0.25, 0.09, 0.09, 0.09, 0.09],
+/// )?
+/// .top(End::Capped);
+///
+/// // A washer's outer wall, whose both ends are rings: a hole of radius 0.3 stays open.
+/// let washer = Profile::<1>::from_squared_radii(&[0.0, 0.0, 0.1, 0.1], &[0.09, 0.25, 0.25, 0.25, 0.25, 0.09])?;
+/// # Ok::<(), embedded_lathe::ProfileError>(())
+/// ```
+///
+/// # Shapes
 ///
 /// Cylinders, cones, spheres, paraboloids and hyperboloids are represented exactly.
 ///
@@ -85,8 +126,10 @@ pub struct Profile<const N: usize> {
     pub(crate) spans: [Span; N],
     pub(crate) len: usize,
     pub(crate) squash: f32,
-    pub(crate) base: End,
-    pub(crate) top: End,
+    /// The squared radii just below the lower end and just above the upper one: that at the end itself if it is open, zero if
+    /// it is capped.
+    pub(crate) below: f32,
+    pub(crate) above: f32,
 }
 
 /// A profile may be this many times as high as its largest radius, and each segment must be at least as high
@@ -94,11 +137,11 @@ pub struct Profile<const N: usize> {
 const MOST: f32 = 1e10;
 
 impl<const N: usize> Profile<N> {
-    /// A round profile of n segments, open at both ends; n is from 1 to N.
+    /// A round profile of n segments and s steps; n is from 1 to N. An end is open, unless a step stands there.
     ///
-    /// The knots are n + 1 increasing heights. The ordinates are 3·n + 1 squared radii, the Bézier control
-    /// values of the segments one after another, where neighbours share the one at their join. A radius of
-    /// 0.3 is an ordinate of 0.09.
+    /// The knots are n + s + 1 increasing heights, that of a step given twice. The ordinates are 3·n + s + 1 squared
+    /// radii, the Bézier control values of the segments one after another, where neighbours share the one at their
+    /// join, unless a step parts them. A radius of 0.3 is an ordinate of 0.09.
     ///
     /// It costs about 100 operations a segment; in a `const` the compiler does them.
     ///
@@ -108,65 +151,81 @@ impl<const N: usize> Profile<N> {
     /// touch zero, and pass below it by the rounding of its own evaluation: 8 units of 2⁻²⁴ of the segment's
     /// largest ordinate.
     pub const fn from_squared_radii(knots: &[f32], ordinates: &[f32]) -> Result<Self, ProfileError> {
-        if knots.len() < 2 {
-            return Err(ProfileError::NoSegments { knots: knots.len() });
-        }
-        let len = knots.len() - 1;
+        let counts = match Counts::of(knots) {
+            Ok(counts) => counts,
+            Err(error) => return Err(error),
+        };
+        let len = counts.segments;
         if len > N {
             return Err(ProfileError::TooManySegments { segments: len, capacity: N });
         }
-        if ordinates.len() != 3 * len + 1 {
-            return Err(ProfileError::OrdinateCount { expected: 3 * len + 1, found: ordinates.len() });
+        let expected = counts.ordinates();
+        if ordinates.len() != expected {
+            return Err(ProfileError::OrdinateCount { expected, found: ordinates.len() });
         }
         let mut point = 0;
-        while point < ordinates.len() {
+        while point < expected {
             if !ordinates[point].is_finite() {
                 return Err(ProfileError::OrdinateNotFinite { point, square: ordinates[point] });
             }
             point += 1;
         }
-        if !knots[0].is_finite() {
-            return Err(ProfileError::KnotNotFinite { knot: 0, height: knots[0] });
+        // An open end goes on as wide as it is.
+        let (below, above, last) = (ordinates[0], ordinates[expected - 1], knots.len() - 1);
+        if !(below >= 0.0) {
+            return Err(ProfileError::Negative { segment: 0, height: knots[0], square: below });
+        }
+        if !(above >= 0.0) {
+            return Err(ProfileError::Negative { segment: len - 1, height: knots[last], square: above });
         }
         let mut spans = [Span::EMPTY; N];
         let mut largest = 0.0;
-        let mut i = 0;
-        while i < len {
-            let (z, top) = (knots[i], knots[i + 1]);
-            if !top.is_finite() {
-                return Err(ProfileError::KnotNotFinite { knot: i + 1, height: top });
+        let (mut i, mut j, mut knot) = (0, 0, 1);
+        while knot <= last {
+            let (z, top) = (knots[knot - 1], knots[knot]);
+            if is_step(knots, knot) {
+                if ordinates[j] == ordinates[j + 1] {
+                    return Err(ProfileError::StepWithoutWidth { knot, height: top, square: ordinates[j] });
+                }
+                j += 1;
+            } else if top > z {
+                let b = [ordinates[j], ordinates[j + 1], ordinates[j + 2], ordinates[j + 3]];
+                let extremes = Extremes::of(b);
+                if !(extremes.least >= 0.0) {
+                    let height = z + (top - z) * extremes.narrowest;
+                    return Err(ProfileError::Negative { segment: i, height, square: extremes.least });
+                }
+                largest = extremes.largest.max(largest);
+                spans[i] = Span { z, top, b, largest: extremes.largest, narrowest: extremes.narrowest };
+                (i, j) = (i + 1, j + 3);
+            } else {
+                return Err(ProfileError::KnotsNotIncreasing { knot, before: z, height: top });
             }
-            if !(top > z) {
-                return Err(ProfileError::KnotsNotIncreasing { knot: i + 1, before: z, height: top });
-            }
-            let j = 3 * i;
-            let b = [ordinates[j], ordinates[j + 1], ordinates[j + 2], ordinates[j + 3]];
-            let extremes = Extremes::of(b);
-            if !(extremes.least >= 0.0) {
-                let height = z + (top - z) * extremes.narrowest;
-                return Err(ProfileError::Negative { segment: i, height, square: extremes.least });
-            }
-            largest = extremes.largest.max(largest);
-            spans[i] = Span { z, top, b, largest: extremes.largest, narrowest: extremes.narrowest };
-            i += 1;
+            knot += 1;
         }
-        if !(largest >= 1e-30 && largest <= 1e30) {
+        if !(largest >= 1e-30) {
             return Err(ProfileError::Size { square: largest });
         }
         let radius = const_fn::sqrt(largest);
-        let height = knots[len] - knots[0];
+        let height = knots[last] - knots[0];
         if !(height <= MOST * radius) {
             return Err(ProfileError::Height { height, radius });
         }
+        // A flange at an end may be wider than all of the wall.
+        let largest = largest.max(below).max(above);
+        if !(largest <= 1e30) {
+            return Err(ProfileError::Size { square: largest });
+        }
+        let radius = const_fn::sqrt(largest);
         let mut knot = 1;
-        while knot <= len {
+        while knot <= last {
             let (before, height) = (knots[knot - 1], knots[knot]);
-            if !((height - before) * MOST >= radius) {
+            if !((height - before) * MOST >= radius || is_step(knots, knot)) {
                 return Err(ProfileError::KnotsNotIncreasing { knot, before, height });
             }
             knot += 1;
         }
-        Ok(Self { spans, len, squash: 1.0, base: End::Open, top: End::Open })
+        Ok(Self { spans, len, squash: 1.0, below, above })
     }
 
     /// This profile stretched along x: `k·x² + y²` takes the place of `x² + y²`. With k = 1 it is round,
@@ -182,7 +241,7 @@ impl<const N: usize> Profile<N> {
         Ok(Self { squash: k, ..self })
     }
 
-    /// This profile with another lower end.
+    /// This profile with another lower end; a ring that stood there is gone.
     ///
     /// As all such methods it changes nothing, but returns a new value, which must be used:
     ///
@@ -196,13 +255,13 @@ impl<const N: usize> Profile<N> {
     /// ```
     #[must_use]
     pub const fn base(self, base: End) -> Self {
-        Self { base, ..self }
+        Self { below: base.beyond(self.ends()[0]), ..self }
     }
 
     /// This profile with another upper end.
     #[must_use]
     pub const fn top(self, top: End) -> Self {
-        Self { top, ..self }
+        Self { above: top.beyond(self.ends()[1]), ..self }
     }
 
     /// This profile with a flat cap at both ends.
@@ -229,6 +288,17 @@ impl<const N: usize> Profile<N> {
         heights
     }
 
+    /// The squared radii of the wall at the lower and at the upper end.
+    const fn ends(&self) -> [f32; 2] {
+        let (mut ends, mut i) = ([0.0; 2], 0);
+        while i < self.len && i < N {
+            let [b0, .., b3] = self.spans[i].b;
+            ends = [if i == 0 { b0 } else { ends[0] }, b3];
+            i += 1;
+        }
+        ends
+    }
+
     /// The largest radius, between the knots or at one: the true one or up to 6·10⁻⁷ of it more. Along x a
     /// squashed profile reaches farther, to that over √k.
     #[must_use]
@@ -238,12 +308,22 @@ impl<const N: usize> Profile<N> {
 
     /// The largest squared radius.
     pub(crate) const fn largest(&self) -> f32 {
-        let (mut largest, mut i) = (0.0, 0);
+        let (mut largest, mut i) = (self.below.max(self.above), 0);
         while i < self.len && i < N {
             largest = self.spans[i].largest.max(largest);
             i += 1;
         }
         largest
+    }
+}
+
+impl End {
+    /// The squared radius beyond an end, given that of the wall.
+    const fn beyond(self, wall: f32) -> f32 {
+        match self {
+            Self::Open => wall,
+            Self::Capped => 0.0,
+        }
     }
 }
 

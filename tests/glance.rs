@@ -18,7 +18,7 @@ const SIDE: u32 = 4_000;
 const SAME: f32 = 1e-3;
 
 /// Hits of a lathe of eight segments.
-type Hits = heapless::Vec<Hit, 26>;
+type Hits = heapless::Vec<Hit, 33>;
 
 fn agree(lathe: &Lathe<[Segment; 8]>, ray: &Ray, t_min: f32, what: &str) -> Option<Hit> {
     let (seen, walked) = (lathe.nearest(ray, t_min), lathe.nearest_by::<Split<Native>>(ray, t_min));
@@ -160,7 +160,7 @@ fn rays_from_the_surface() {
     for (lathe, ray) in cases {
         let ray = ray.unwrap();
         let (hits, walked): (Hits, Hits) =
-            (lathe.hits(&ray, 0.0), lathe.hits_by::<Split<Native>, 26>(&ray, 0.0));
+            (lathe.hits(&ray, 0.0), lathe.hits_by::<Split<Native>, 33>(&ray, 0.0));
         assert_eq!(hits.len(), walked.len(), "{hits:?} are not {walked:?}");
         assert_eq!(lathe.nearest(&ray, 0.0), hits.first().copied(), "{hits:?}");
     }

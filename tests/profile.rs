@@ -36,7 +36,6 @@ fn a_wrong_profile_names_the_culprit() {
         }
     }
     let not_above = |knot, before, height| Err(KnotsNotIncreasing { knot, before, height });
-    assert_eq!(profile(&[0.0, 0.0, 1.0], &ORDINATES), not_above(1, 0.0, 0.0));
     assert_eq!(profile(&[0.0, 0.4, 0.3], &ORDINATES), not_above(2, 0.4, 0.3));
     assert_eq!(profile(&[0.0, 1e-40, 1.0], &ORDINATES), not_above(1, 0.0, 1e-40));
     let too_high = profile(&[f32::MIN, 0.0, f32::MAX], &ORDINATES);
@@ -50,6 +49,45 @@ fn a_wrong_profile_names_the_culprit() {
     for k in [-0.1, 1.1, f32::NAN, f32::INFINITY] {
         assert_eq!(profile(&KNOTS, &ORDINATES).unwrap().squash(k), Err(Squash { squash: k }));
     }
+}
+
+/// A step is a knot that stands twice, and so is the ordinate there.
+#[test]
+fn a_wrong_step_names_the_culprit() {
+    use ProfileError::*;
+    let knob = [0.0, 0.2, 0.2, 0.4];
+    let ordinates = [0.3, 0.3, 0.3, 0.3, 0.1, 0.1, 0.1, 0.2];
+    assert_eq!(profile(&knob, &ordinates).unwrap().segments(), 2);
+    assert_eq!(profile(&knob, &ordinates[..7]), Err(OrdinateCount { expected: 8, found: 7 }));
+    assert_eq!(profile(&[0.0, 0.0, 1.0], &ORDINATES), Err(OrdinateCount { expected: 5, found: 7 }));
+    let equal = profile(&knob, &with(&ordinates, 4, 0.3));
+    assert_eq!(equal, Err(StepWithoutWidth { knot: 2, height: 0.2, square: 0.3 }));
+    let thrice = profile(&[0.0, 0.2, 0.2, 0.2, 0.4], &[0.3; 9]);
+    assert_eq!(thrice, Err(KnotThrice { knot: 3, height: 0.2 }));
+    assert_eq!(profile(&[1.0, 1.0], &[0.1, 0.2]), Err(NoSegments { knots: 2 }));
+    assert_eq!(profile(&[1.0, 1.0, 1.0], &[0.1; 3]), Err(KnotThrice { knot: 2, height: 1.0 }));
+    let infinite = profile(&[f32::INFINITY; 2], &[0.1, 0.2]);
+    assert_eq!(infinite, Err(KnotNotFinite { knot: 0, height: f32::INFINITY }));
+    assert_eq!(
+        profile(&[0.0, 0.2, 0.2, 0.1], &ordinates),
+        Err(KnotsNotIncreasing { knot: 3, before: 0.2, height: 0.1 })
+    );
+    // At the ends, too: what lies beyond the wall, and is wider than it, counts.
+    let washer = [0.0, 0.0, 1.0, 1.0];
+    let squares = [0.1, 0.3, 0.3, 0.3, 0.3, 0.1];
+    assert!(profile(&washer, &squares).is_ok());
+    let below = profile(&washer, &with(&squares, 0, -0.1));
+    assert_eq!(below, Err(Negative { segment: 0, height: 0.0, square: -0.1 }));
+    let above = profile(&washer, &with(&squares, 5, -0.2));
+    assert_eq!(above, Err(Negative { segment: 0, height: 1.0, square: -0.2 }));
+    assert_eq!(profile(&washer, &with(&squares, 0, 2e30)), Err(Size { square: 2e30 }));
+    let flange = profile(&washer, &with(&squares, 5, 4.0)).unwrap();
+    assert_eq!((flange.largest_radius(), flange.top(End::Open).largest_radius()), (2.0, 0.3_f32.sqrt()));
+    // An end that is capped, or opened, is one no matter what it was.
+    assert_eq!(
+        profile(&washer, &squares).unwrap().closed(),
+        profile(&[0.0, 1.0], &[0.3; 4]).unwrap().closed()
+    );
 }
 
 /// Every parameter of every quadric, with every kind of wrong number; zero where it makes none.
@@ -131,8 +169,14 @@ fn a_message_reads_well() {
     let not_above =
         "the height of knot 2 is 0.3, not above, or too little above, that of the knot before it, 0.4";
     assert_eq!(error(profile(&[0.0, 0.4, 0.3], &ORDINATES)), not_above);
-    let count = "there must be 3 ordinates a segment and 1 more, 7, and there are 6";
+    let count = "there must be 3 ordinates a segment, 1 a step and 1 more, 7, and there are 6";
     assert_eq!(error(profile(&KNOTS, &ORDINATES[..6])), count);
+    let thrice = "knot 2 is the third at the height 1.0, and a step has two";
+    assert_eq!(error(profile(&[1.0, 1.0, 1.0], &[1.0; 4])), thrice);
+    let flat = "the step at knot 1, at the height 0.5, has one squared radius below and above, 0.3";
+    assert_eq!(error(profile(&[0.5, 0.5, 1.0], &[0.3; 5])), flat);
+    let few = "a profile needs knots at 2 heights at least; in all it has 1";
+    assert_eq!(error(profile(&[1.0], &[1.0])), few);
     let negative = "the squared radius is -0.01 at the height 0.0, in segment 0";
     assert_eq!(error(profile(&KNOTS, &with(&ORDINATES, 0, -0.01))), negative);
     let dimension = |radius| Profile::sphere(radius).unwrap_err().to_string();
@@ -279,6 +323,46 @@ fn ends_are_open_or_capped() {
     assert!(!hit.enters && hit.part == Part::Wall);
 }
 
+/// What a ray meets of a shape, from above: part, segment, u, and whether it enters.
+#[test]
+fn rings_say_that_they_are() {
+    let down = |x: f32| Ray::new([x, 0.0, 5.0], [0.0, 0.0, -1.0]).unwrap();
+    let up = |x: f32| Ray::new([x, 0.0, -5.0], [0.0, 0.0, 1.0]).unwrap();
+    let met = |lathe: &Lathe<[Segment; 2]>, ray: Ray| -> Vec<(Part, usize, f32, bool, f32, f32)> {
+        let hits = lathe.hits::<9>(&ray, 0.0);
+        assert_eq!(lathe.nearest(&ray, 0.0), hits.first().copied());
+        let seen = |hit| lathe.surface(&ray, hit).normal[2];
+        hits.iter().map(|hit| (hit.part, hit.segment, hit.u, hit.enters, hit.t, seen(hit))).collect()
+    };
+    // Wide below, narrow above, with a hole of radius 0.25 at the top.
+    let knob = Profile::<2>::from_squared_radii(
+        &[0.0, 1.0, 1.0, 2.0, 2.0],
+        &[1.0, 1.0, 1.0, 1.0, 0.25, 0.25, 0.25, 0.25, 0.0625],
+    );
+    let knob = Lathe::turn(knob.unwrap().base(End::Capped));
+    let (base, ring) = ((Part::Base, 0, 0.0), (Part::Ring, 0, 1.0));
+    let leaves = |(part, segment, u): (Part, usize, f32), t, normal| (part, segment, u, false, t, normal);
+    let enters = |(part, segment, u): (Part, usize, f32), t, normal| (part, segment, u, true, t, normal);
+    assert_eq!(met(&knob, down(0.75)), [enters(ring, 4.0, 1.0), leaves(base, 5.0, -1.0)]);
+    assert_eq!(met(&knob, up(0.75)), [enters(base, 5.0, -1.0), leaves(ring, 6.0, 1.0)]);
+    assert_eq!(met(&knob, down(0.375)), [enters((Part::Top, 1, 1.0), 3.0, 1.0), leaves(base, 5.0, -1.0)]);
+    // Through the hole, from within.
+    assert_eq!(met(&knob, down(0.125)), [leaves(base, 5.0, -1.0)]);
+    assert_eq!(met(&knob, down(1.25)), []);
+    // Narrow below, wide above, with a flange beyond the top, and a hole through all of it.
+    let knob = Profile::<2>::from_squared_radii(
+        &[0.0, 1.0, 1.0, 2.0, 2.0],
+        &[0.25, 0.25, 0.25, 0.25, 1.0, 1.0, 1.0, 1.0, 4.0],
+    );
+    let knob = Lathe::turn(knob.unwrap());
+    let (ring, flange) = ((Part::Ring, 1, 0.0), (Part::Top, 1, 1.0));
+    assert_eq!(met(&knob, down(0.75)), [leaves(ring, 4.0, -1.0)]);
+    assert_eq!(met(&knob, up(0.75)), [enters(ring, 6.0, -1.0)]);
+    assert_eq!(met(&knob, down(1.5)), [leaves(flange, 3.0, -1.0)]);
+    assert_eq!(met(&knob, up(1.5)), [enters(flange, 7.0, -1.0)]);
+    assert_eq!(met(&knob, up(0.25)), []);
+}
+
 #[test]
 fn a_ray_needs_numbers_and_a_direction() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
@@ -336,7 +420,7 @@ fn any_bits_of_a_ray_will_do() {
     for _ in 0..500_000 {
         let [ox, oy, oz, dx, dy, dz, t_min] = [(); 7].map(|()| f32::from_bits(rng.next_u32()));
         let Ok(ray) = Ray::new([ox, oy, oz], [dx, dy, dz]) else { continue };
-        for hit in lathe.hits::<14>(&ray, t_min) {
+        for hit in lathe.hits::<17>(&ray, t_min) {
             met += 1;
             assert!(hit.t > t_min && (0.0..=1.0).contains(&hit.u), "{ray:?} {hit:?}");
             let [x, y, z] = lathe.surface(&ray, &hit).normal;

@@ -52,7 +52,7 @@ pub fn silhouettes() -> [Point; 2] {
 /// The section: where rays from its middle leave it.
 pub fn outline() -> Vec<Point> {
     let centre = ray(PIXELS * FINE / 2, FINE);
-    let hits = VASE.hits::<14>(&centre, 0.0);
+    let hits = VASE.hits::<17>(&centre, 0.0);
     let [front, back] = [hits.first(), hits.last()].map(|hit| centre.at(hit.expect("it is met").t));
     let middle = std::array::from_fn(|i| 0.5 * (front[i] + back[i]));
     let [_, y, z] = std::array::from_fn(|i| back[i] - front[i]);

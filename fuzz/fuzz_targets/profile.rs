@@ -44,7 +44,7 @@ fuzz_target!(|input: Input| {
     if numbers.fold(0f32, |size, x| size.max(x.abs())) > 1e15 {
         return;
     }
-    let hits = lathe.hits::<26>(&ray, 0.0);
+    let hits = lathe.hits::<33>(&ray, 0.0);
     for hit in &hits {
         assert!(!hit.t.is_nan() && (0.0..=1.0).contains(&hit.u), "{input:?} {hit:?}");
         let seen = lathe.surface(&ray, hit);
@@ -60,7 +60,7 @@ fuzz_target!(|input: Input| {
     };
     let is_hit = lathe.is_hit(&ray, 0.0);
     assert!(is_hit || hits.is_empty(), "{input:?}");
-    assert!(!is_hit || !hits.is_empty() || !lathe.hits::<26>(&ray, -start() as f32).is_empty(), "{input:?}");
+    assert!(!is_hit || !hits.is_empty() || !lathe.hits::<33>(&ray, -start() as f32).is_empty(), "{input:?}");
 });
 
 /// The exact least value of a segment, rounded once.

@@ -22,10 +22,12 @@ pub enum Kind {
     Needle,
     /// Segments that close to a point at both ends, or nearly.
     Beads,
+    /// Steps between segments, and rings at the ends: of any width, some a hundred-thousandth apart.
+    Stepped,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 9] = [
         Kind::Any,
         Kind::Quadric,
         Kind::Edge,
@@ -34,6 +36,7 @@ impl Kind {
         Kind::Uneven,
         Kind::Needle,
         Kind::Beads,
+        Kind::Stepped,
     ];
 
     pub fn outline(self, seed: u64, number: u64) -> Outline {
@@ -49,6 +52,7 @@ impl Kind {
             Kind::Uneven => uneven(rng),
             Kind::Needle => needle(rng),
             Kind::Beads => beads(rng),
+            Kind::Stepped => stepped(rng),
         };
         let k = [1.0, 1.0, 1.0, 0.0, rng.random_range(0.05_f32..1.0)][rng.random_range(0..5)];
         Outline { name: "random", knots, ordinates, k, base_closed: rng.random(), top_closed: rng.random() }
@@ -147,6 +151,34 @@ fn beads(rng: &mut ChaCha8Rng) -> Outlined {
             if thin { decades(rng, 1e-6, 1e-1) } else { rng.random_range(0.05_f32..1.0) }
         });
         ordinates.extend([inner[0], inner[1], 0.0]);
+    }
+    (knots, ordinates)
+}
+
+fn stepped(rng: &mut ChaCha8Rng) -> Outlined {
+    let segments = rng.random_range(1..=8);
+    let (mut knots, mut ordinates) = (vec![rng.random_range(-1.0_f32..1.0)], Vec::new());
+    let square = |rng: &mut ChaCha8Rng| match rng.random_range(0..6) {
+        0 => 0.0,
+        1 => decades(rng, 1e-4, 1.0),
+        _ => rng.random_range(0.0_f32..1.0),
+    };
+    ordinates.push(square(rng));
+    for i in 0..=segments {
+        let (last, z) = (ordinates[ordinates.len() - 1], knots[knots.len() - 1]);
+        if rng.random_ratio(2, 3) {
+            // Narrower or wider, some by a hair.
+            let other = if rng.random_ratio(1, 6) { last * 0.999_99 } else { square(rng) };
+            if other != last {
+                knots.push(z);
+                ordinates.push(other);
+            }
+        }
+        if i < segments {
+            let height = if rng.random_ratio(1, 6) { 1e-5 } else { rng.random_range(0.05_f32..0.6) };
+            knots.push(z + height);
+            ordinates.extend([square(rng), square(rng), square(rng)]);
+        }
     }
     (knots, ordinates)
 }

@@ -1,8 +1,8 @@
 //! What holds for every ray there is: the three questions agree, and no answer is NaN.
 
 use embedded_lathe::{End, Hit, Lathe, Pose, Profile, Ray, Rgb, Rotation, Segment, Solid};
-use laboratory::cases::{Outline, outlines as known};
-use laboratory::lathes::{CAPACITY, SEGMENTS, lathe};
+use laboratory::cases::{Outline, outlines as known, stepped_outlines};
+use laboratory::lathes::{CAPACITY, SEGMENTS, ended, lathe};
 use laboratory::outlines::Kind;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -16,7 +16,7 @@ const RAYS: usize = 400;
 /// plates, sheets.
 fn every_lathe() -> Vec<Turned> {
     let random = Kind::ALL.into_iter().flat_map(|kind| (0..20).map(move |number| kind.outline(7, number)));
-    let named: Vec<Outline> = known().into_iter().chain(random).collect();
+    let named: Vec<Outline> = known().into_iter().chain(stepped_outlines()).chain(random).collect();
     let mut all: Vec<Turned> = named.iter().map(lathe).collect();
     for outline in &named {
         for (tall, wide) in [(1e-8, 1.0), (1e8, 1.0), (1e-14, 1e-14), (1e14, 1e14), (1.0, 1e-9), (1.0, 1e9)] {
@@ -30,8 +30,7 @@ fn every_lathe() -> Vec<Turned> {
                 else {
                     continue;
                 };
-                let end = |closed| if closed { End::Capped } else { End::Open };
-                all.push(Lathe::turn(profile.base(end(outline.base_closed)).top(end(outline.top_closed))));
+                all.push(Lathe::turn(ended(profile, outline)));
             }
         }
     }

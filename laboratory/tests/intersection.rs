@@ -4,7 +4,7 @@
 
 use embedded_lathe::solve::Solver;
 use embedded_lathe::{Hit, Lathe, Part, Ray, Segment, Surface};
-use laboratory::cases::{Case, Family, cases, outlines};
+use laboratory::cases::{Case, Family, cases, outlines, stepped_outlines};
 use laboratory::lathes::{CAPACITY, lathe};
 use laboratory::oracle::{self, Band, Shape};
 use laboratory::over_every_backend;
@@ -61,11 +61,12 @@ fn part(part: oracle::Part) -> Part {
         oracle::Part::Wall => Part::Wall,
         oracle::Part::Base => Part::Base,
         oracle::Part::Top => Part::Top,
+        oracle::Part::Ring => Part::Ring,
     }
 }
 
 fn every_shot(mut check: impl FnMut(&Shot)) {
-    for outline in &outlines() {
+    for outline in outlines().iter().chain(&stepped_outlines()) {
         let (shape, lathe) = (&outline.shape(), &lathe(outline));
         for family in Family::ALL {
             for case in cases(outline, family, SEED, RAYS) {
@@ -195,27 +196,38 @@ fn point_error(shot: &Shot, hit: &Hit, band: &Band) -> f64 {
 #[test]
 fn normals_point_out_of_the_solid() {
     let mut worst = 0_f64;
-    let mut caps = 0;
+    let (mut caps, mut rings) = (0, 0);
     every_shot(|shot| {
         for hit in shot.lathe.hits::<CAPACITY>(&shot.ray, shot.case.cast.t_min) {
             let Surface { point, normal, .. } = shot.lathe.surface(&shot.ray, &hit);
             let (point, normal) = (point.map(f64::from), normal.map(f64::from));
             let length = normal.iter().map(|c| c * c).sum::<f64>();
             assert!((length - 1.0).abs() < 8.0 * (-24_f64).exp2(), "{normal:?} {}", shot.case);
-            let down = match hit.part {
-                Part::Base => -1.0,
-                Part::Top => 1.0,
+            let knot = hit.segment + usize::from(hit.u > 0.5);
+            let [below, above] = shot.shape.radii(knot);
+            let faces = match hit.part {
+                Part::Base | Part::Top | Part::Ring => {
+                    if below > above {
+                        1.0
+                    } else {
+                        -1.0
+                    }
+                }
                 Part::Wall => {
                     worst = worst.max(normal_error(shot, &hit, point, normal));
                     continue;
                 }
                 part => panic!("{part:?} is new"),
             };
-            assert_eq!(normal, [0.0, 0.0, down]);
+            assert_eq!(normal, [0.0, 0.0, faces]);
+            // The level normal's turn is the ray's, too.
+            let falls = shot.case.cast.direction[2] < 0.0;
+            assert_eq!((faces > 0.0) == falls, hit.enters, "{hit:?} {}", shot.case);
+            rings += usize::from(hit.part == Part::Ring);
             caps += 1;
         }
     });
-    assert!(caps > 100, "{caps}");
+    assert!(caps > 1_000 && rings > 1_000, "{caps} on caps and rings, {rings} on rings");
     assert!(worst <= NORMAL, "a normal is off by {worst} units");
     assert!(worst > NORMAL / 4.0, "the bound is slack: {worst} units");
 }
@@ -223,7 +235,7 @@ fn normals_point_out_of_the_solid() {
 /// In units of 2⁻²⁴, over the condition of the gradient's height component: `Σ |terms| / |gradient|`.
 fn normal_error(shot: &Shot, hit: &Hit, point: [f64; 3], normal: [f64; 3]) -> f64 {
     let (k, u) = (shot.shape.k, f64::from(hit.u));
-    let b = &shot.shape.ordinates[3 * hit.segment..][..4];
+    let b = shot.shape.segments[hit.segment];
     let h = shot.shape.knots[hit.segment + 1] - shot.shape.knots[hit.segment];
     let differences = [b[1] - b[0], b[2] - b[1], b[3] - b[2]];
     let weights = [(1.0 - u) * (1.0 - u), 2.0 * u * (1.0 - u), u * u];
@@ -240,7 +252,7 @@ fn normal_error(shot: &Shot, hit: &Hit, point: [f64; 3], normal: [f64; 3]) -> f6
 #[test]
 fn no_ray_slips_through_a_join() {
     let mut through = 0;
-    for outline in outlines().iter().filter(|outline| outline.knots.len() > 2) {
+    for outline in outlines().iter().chain(&stepped_outlines()).filter(|outline| outline.knots.len() > 2) {
         let lathe = lathe(outline);
         for case in Family::ALL.iter().flat_map(|&family| cases(outline, family, SEED, 200)) {
             let joins = &outline.knots[1..outline.knots.len() - 1];

@@ -1,13 +1,17 @@
 //! The oracle against closed forms, against sampling, and against itself moved a little.
 
-use laboratory::cases::{Case, Family, case, cases, outline, outlines};
+use laboratory::cases::{Case, Family, Outline, case, cases, outline, outlines, stepped_outlines};
 use laboratory::oracle::{self, Part, Ray, Shape, bands, certain, crossings, robust};
 
 const SEED: u64 = 1995;
 const RAYS: u64 = 300;
 
+fn every_outline() -> Vec<Outline> {
+    outlines().into_iter().chain(stepped_outlines()).collect()
+}
+
 fn every_case(count: u64, mut check: impl FnMut(&Shape, &Case)) {
-    for outline in &outlines() {
+    for outline in &every_outline() {
         let shape = outline.shape();
         for family in Family::ALL {
             cases(outline, family, SEED, count).for_each(|case| check(&shape, &case));
@@ -104,6 +108,12 @@ fn crossings_lie_on_the_surface() {
             let off = match hit.part {
                 Part::Base => (z - shape.base()).abs(),
                 Part::Top => (z - shape.top()).abs(),
+                Part::Ring => {
+                    let knot = hit.segment + usize::from(hit.u > 0.5);
+                    let [low, high] = shape.radii(knot).map(f64::sqrt);
+                    assert!((low.min(high)..=low.max(high)).contains(&r), "{hit:?} {case}");
+                    (z - shape.knots[knot]).abs()
+                }
                 Part::Wall => {
                     let f = oracle::value(shape.squared_radius(hit.segment), hit.u);
                     let slope = shape.slope(hit.segment, hit.u);
@@ -130,8 +140,7 @@ fn crossings_lie_on_the_surface() {
 fn crossings_agree_with_sampling() {
     let (mut samples, mut turns) = (0, 0);
     every_case(RAYS, |shape, case| {
-        let mut closed = shape.clone();
-        (closed.base_closed, closed.top_closed) = (true, true);
+        let closed = shape.clone().closed();
         let ray = case.ray();
         if !certain(&closed, &ray) {
             return;
@@ -166,8 +175,7 @@ fn crossings_agree_with_sampling() {
 fn an_empty_list_is_all_one_side() {
     let mut empty = 0;
     every_case(RAYS, |shape, case| {
-        let mut closed = shape.clone();
-        (closed.base_closed, closed.top_closed) = (true, true);
+        let closed = shape.clone().closed();
         let ray = case.ray();
         // Along the sheet a ray may stay inside for ever.
         if shape.k > 0.0 && certain(&closed, &ray) && crossings(&closed, &ray).is_empty() {

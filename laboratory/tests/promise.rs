@@ -28,6 +28,7 @@ fn part(part: oracle::Part) -> Part {
         oracle::Part::Wall => Part::Wall,
         oracle::Part::Base => Part::Base,
         oracle::Part::Top => Part::Top,
+        oracle::Part::Ring => Part::Ring,
     }
 }
 
@@ -55,6 +56,15 @@ fn excuse(shape: &Shape, case: &Case, nearest: Option<Hit>) -> f64 {
         units *= 1.25;
     }
     units
+}
+
+/// How far a hit of a cap or a ring is from its plane, in units.
+fn off_plane(shape: &Shape, case: &Case, hit: &Hit) -> f64 {
+    let (ray, t) = (case.ray(), f64::from(hit.t));
+    let length = ray.direction.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let z = ray.origin[2] + t * ray.direction[2];
+    let knot = shape.knots[hit.segment + usize::from(hit.u > 0.5)];
+    (z - knot).abs() / (case.eps(1.0) + (-24_f64).exp2() * (t * length).abs())
 }
 
 /// How far a hit's place is from the surface, in units.
@@ -108,8 +118,8 @@ impl Worst {
             self.decision = (units, tell());
         }
         let Some(hit) = hit.filter(|_| units <= PROMISE) else { return };
-        // A cap is a plane.
-        let units = if hit.part == Part::Wall { off(shape, case, &hit) } else { 0.0 };
+        let units =
+            if hit.part == Part::Wall { off(shape, case, &hit) } else { off_plane(shape, case, &hit) };
         if units > self.place.0 && units.is_finite() {
             self.place = (units, tell());
         }
@@ -233,7 +243,7 @@ fn parts_beside_a_tip() {
         };
         let (shape, lathe) = (outline.shape(), lathe(&outline));
         let tip = if number % 2 == 0 { shape.top() } else { shape.base() };
-        let rim = shape.ordinates[if number % 2 == 0 { 3 } else { 0 }].sqrt();
+        let rim = shape.segments[0][if number % 2 == 0 { 3 } else { 0 }].sqrt();
         for index in 0..100 {
             let mut near = || rng.random_range(-1.0_f64..1.0);
             // At the rim, from about it or from far within, at any slope.

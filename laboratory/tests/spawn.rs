@@ -1,7 +1,7 @@
 //! Rays that go on from a hit: they do not meet the surface that they leave, and all else as they should.
 
 use embedded_lathe::{Hit, Part, Pose, Ray, Rgb, Rotation, Solid};
-use laboratory::cases::{Family, cases, outlines};
+use laboratory::cases::{Family, cases, outlines, stepped_outlines};
 use laboratory::lathes::lathe;
 use laboratory::oracle::{self, Shape};
 use rand::rngs::ChaCha8Rng;
@@ -52,7 +52,7 @@ fn agrees(hit: Option<Hit>, band: Option<oracle::Band>) -> bool {
 fn a_spawned_ray_leaves_its_surface() {
     let mut rng = ChaCha8Rng::seed_from_u64(SEED);
     let (mut spawned, mut unsure, mut naive) = (0, 0, 0);
-    for outline in &outlines() {
+    for outline in outlines().iter().chain(&stepped_outlines()) {
         let (shape, lathe) = (outline.shape(), lathe(outline));
         let is_convex = ["cylinder", "cone", "sphere", "ellipsoid"].contains(&outline.name);
         for case in Family::ALL.into_iter().flat_map(|family| cases(outline, family, SEED, RAYS)) {

@@ -2,7 +2,6 @@
 
 use super::segment::Segment;
 use crate::hit::Part;
-use crate::profile::End;
 use crate::vector::{F32x3, vector};
 
 /// Doubt is this times `(2 + S)·(ROOM·size + |back|·(q + dz²))`, S the profile's steepest: sixteen units of 2⁻²⁴.
@@ -54,6 +53,10 @@ pub(crate) struct Frame {
     /// The lower end's plane, and the upper one's.
     pub base: EndPlane,
     pub top: EndPlane,
+    /// Whether there are steps between segments, or rings at the ends.
+    pub has_rings: bool,
+    /// Whether g may jump upwards between the ends, or on their planes from without: the fast path certifies no hits then.
+    pub has_jumps: bool,
     /// A power of two, no less than half of `len`: the first step of a search.
     pub stride: usize,
     /// √k·scale: a ray's moment about the axis, in object space, times this is that in the frame.
@@ -63,24 +66,44 @@ pub(crate) struct Frame {
     pub room: f32,
 }
 
-/// What the plane of an end holds, in the frame.
+/// The plane of an end, in the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct EndPlane {
-    /// What part of the surface: nothing if the end is open, and the wall itself where that closes to a point.
+    /// What part of the surface the ring is between the two radii: nothing if the end is open, and the wall itself where that
+    /// closes to a point.
     pub part: Option<Part>,
-    /// The square of the cap's radius: zero if there is none.
-    pub cap: f32,
+    /// The squared radii of the wall, and of what goes on beyond it: the same if the end is open, zero if it is capped.
+    pub wall: f32,
+    pub beyond: f32,
 }
 
 impl EndPlane {
-    /// Given the squared radius there.
-    pub const fn new(square: f32, end: End, cap: Part) -> Self {
-        match end {
-            _ if square == 0.0 => Self { part: Some(Part::Wall), cap: 0.0 },
-            End::Capped => Self { part: Some(cap), cap: square },
-            End::Open => Self { part: None, cap: 0.0 },
-        }
+    /// Of the part given, if it is not open, nor a point.
+    pub const fn new(wall: f32, beyond: f32, part: Part) -> Self {
+        let part = if wall != beyond {
+            Some(part)
+        } else if wall == 0.0 {
+            Some(Part::Wall)
+        } else {
+            None
+        };
+        Self { part, wall, beyond }
+    }
+
+    /// The square of the cap's radius: zero if there is none.
+    pub const fn cap(&self) -> f32 {
+        if self.beyond == 0.0 { self.wall } else { 0.0 }
+    }
+
+    /// Whether a part of the end is closed, and a part is open.
+    pub const fn is_ring(&self) -> bool {
+        self.wall != self.beyond && self.beyond != 0.0
+    }
+
+    /// By how much it is wider beyond.
+    pub const fn flange(&self) -> f32 {
+        (self.beyond - self.wall).max(0.0)
     }
 }
 

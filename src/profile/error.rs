@@ -15,7 +15,7 @@ use crate::message::{Message, says};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ProfileError {
-    /// Fewer than two knots: not one segment.
+    /// Fewer than two heights: not one segment.
     NoSegments {
         /// How many knots there are.
         knots: usize,
@@ -27,7 +27,7 @@ pub enum ProfileError {
         /// For how many the profile has room, its N.
         capacity: usize,
     },
-    /// Not three ordinates a segment and one more.
+    /// Not three ordinates a segment, one a step, and one more.
     OrdinateCount {
         /// How many the knots call for.
         expected: usize,
@@ -50,6 +50,22 @@ pub enum ProfileError {
         /// Its own height.
         height: f32,
     },
+    /// Three knots stand at one height: a step has two.
+    KnotThrice {
+        /// The third of them, from 2.
+        knot: usize,
+        /// The height.
+        height: f32,
+    },
+    /// The two ordinates of a step are equal.
+    StepWithoutWidth {
+        /// The second knot of the step, from 1.
+        knot: usize,
+        /// Its height.
+        height: f32,
+        /// The squared radius both below and above.
+        square: f32,
+    },
     /// An ordinate is infinite or NaN.
     OrdinateNotFinite {
         /// Which ordinate, from 0.
@@ -57,9 +73,10 @@ pub enum ProfileError {
         /// The ordinate itself.
         square: f32,
     },
-    /// The squared radius is negative somewhere in a segment, be it between its ends alone.
+    /// The squared radius is negative somewhere in a segment, be it between its ends alone, or on the other side of a step
+    /// where the profile ends.
     Negative {
-        /// Which segment, from 0.
+        /// Which segment, from 0: the first, or the last, of a step where the profile ends.
         segment: usize,
         /// The height at which the squared radius is least.
         height: f32,
@@ -96,9 +113,10 @@ pub enum ProfileError {
 impl ProfileError {
     const fn message(self) -> Message {
         match self {
-            Self::NoSegments { knots } => {
-                Message::of([Text("a profile needs at least 2 knots, and has "), Count(knots)])
-            }
+            Self::NoSegments { knots } => Message::of([
+                Text("a profile needs knots at 2 heights at least; in all it has "),
+                Count(knots),
+            ]),
             Self::TooManySegments { segments, capacity } => Message::of([
                 Text("the profile has room for "),
                 Count(capacity),
@@ -106,7 +124,7 @@ impl ProfileError {
                 Count(segments),
             ]),
             Self::OrdinateCount { expected, found } => Message::of([
-                Text("there must be 3 ordinates a segment and 1 more, "),
+                Text("there must be 3 ordinates a segment, 1 a step and 1 more, "),
                 Count(expected),
                 Text(", and there are "),
                 Count(found),
@@ -121,6 +139,21 @@ impl ProfileError {
                 Number(height),
                 Text(", not above, or too little above, that of the knot before it, "),
                 Number(before),
+            ]),
+            Self::KnotThrice { knot, height } => Message::of([
+                Text("knot "),
+                Count(knot),
+                Text(" is the third at the height "),
+                Number(height),
+                Text(", and a step has two"),
+            ]),
+            Self::StepWithoutWidth { knot, height, square } => Message::of([
+                Text("the step at knot "),
+                Count(knot),
+                Text(", at the height "),
+                Number(height),
+                Text(", has one squared radius below and above, "),
+                Number(square),
             ]),
             Self::OrdinateNotFinite { point, square } => {
                 Message::of([Text("ordinate "), Count(point), Text(" is "), Number(square)])

@@ -8,7 +8,7 @@ pub fn even(rng: &mut ChaCha8Rng, from: f32, to: f32) -> f32 {
     rng.random_range(from..to)
 }
 
-/// One to eight segments of uneven height, some of whose ends are poles or creases.
+/// One to eight segments of uneven height, some of whose ends are poles or creases. One lathe of three has steps.
 pub fn random_lathe(rng: &mut ChaCha8Rng) -> Lathe<[Segment; 8]> {
     loop {
         let segments = rng.random_range(1..=8);
@@ -24,12 +24,23 @@ pub fn random_lathe(rng: &mut ChaCha8Rng) -> Lathe<[Segment; 8]> {
             ordinates.push(even(rng, 0.0, 0.6));
             ordinates.push(if rng.random_ratio(1, 12) { 0.0 } else { even(rng, 0.0, 0.6) });
         }
+        if rng.random_ratio(1, 3) {
+            // From the top down, so that places below stay as they are.
+            for knot in (0..=segments).rev() {
+                if rng.random_ratio(1, 3) {
+                    knots.insert(knot, knots[knot]);
+                    ordinates.insert(3 * knot, even(rng, 0.0, 0.6));
+                }
+            }
+        }
         let end = |open| if open { End::Open } else { End::Capped };
         let squash = if rng.random_ratio(1, 3) { even(rng, 0.1, 1.0) } else { 1.0 };
         if let Ok(profile) =
             Profile::<8>::from_squared_radii(&knots, &ordinates).and_then(|profile| profile.squash(squash))
         {
-            return Lathe::turn(profile.base(end(rng.random())).top(end(rng.random())));
+            // A ring at an end stays there every other time.
+            let profile = if rng.random() { profile.base(end(rng.random())) } else { profile };
+            return Lathe::turn(if rng.random() { profile.top(end(rng.random())) } else { profile });
         }
     }
 }

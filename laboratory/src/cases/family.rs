@@ -157,7 +157,7 @@ fn rims(place: &mut Place) -> Cast {
     // Most at the ends, some at inner joins.
     let last = place.shape.segments();
     let knot = [0, last, place.knot()][place.pick(3)];
-    let edge = place.on_ring(place.shape.knots[knot], 1.0);
+    let edge = place.on_rim(knot);
     let off = place.magnitude(1e-7, 1e-1) * place.size;
     let point = along(edge, off, place.direction());
     let (direction, sizes) = (place.direction(), place.between(0.7, 4.0));

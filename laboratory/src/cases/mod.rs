@@ -5,9 +5,11 @@
 mod family;
 mod outline;
 mod place;
+mod stepped;
 
 pub use family::Family;
 pub use outline::{Outline, outline, outlines};
+pub use stepped::stepped_outlines;
 
 use crate::oracle;
 use place::Place;

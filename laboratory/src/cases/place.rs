@@ -87,7 +87,22 @@ impl Place {
     pub fn on_ring(&mut self, z: f64, scale: f64) -> Vector {
         let (segment, u) = self.shape.locate(z);
         let f = self.shape.squared_radius(segment);
-        let r = scale * value(f, u).max(0.0).sqrt();
+        self.on_circle(z, scale * value(f, u).max(0.0).sqrt())
+    }
+
+    /// On the circle, or ellipse, where the wall ends or changes at a knot; at a step on one of two.
+    pub fn on_rim(&mut self, knot: usize) -> Vector {
+        let z = self.shape.knots[knot];
+        match self.shape.radii(knot) {
+            [below, above] if below > 0.0 && above > 0.0 && below != above => {
+                let square = if self.pick(2) == 0 { below } else { above };
+                self.on_circle(z, square.sqrt())
+            }
+            _ => self.on_ring(z, 1.0),
+        }
+    }
+
+    fn on_circle(&mut self, z: f64, r: f64) -> Vector {
         let reach = self.reach();
         let turn = self.between(0.0, TAU);
         let x = (r * turn.cos() / self.shape.k.sqrt()).abs().min(self.between(0.0, reach));

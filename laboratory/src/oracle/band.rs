@@ -3,11 +3,12 @@
 //! Call a point *in* if every point within `eps` of it lies in the solid, *out* if none does. Moving a point by `eps` moves
 //! g by no more than `eps·(2·ρ + |df/dz|) + eps²`, ρ² = k·x² + y² and the slope the largest within `eps` in height;
 //! so g beyond that bound decides, and the bound exceeds `eps·|∇g|` by no more than √2 where f is nearly straight over `eps`.
-//! Within `eps` of an end plane nothing is in. What is neither is a *band*.
+//! Within `eps` of the plane of a step or an end a point is on a side if it is so for the squared radii on both sides of the plane.
+//! What is neither in nor out is a *band*. Beyond an open end, or the hole of a ring, what was in stays so.
 //!
 //! Anyone who displaces the ray, its start, the wall or the ends by less than `eps` in all must see the same in and out.
 //! A band between out and in is therefore crossed, in all, once, and a hit reported there is right; a band between
-//! two outs or two ins (a near tangency), one that wall and end share (a rim), and one that the start lies in prove nothing.
+//! two outs or two ins (a near tangency), one that wall and plane share (a rim), and one that the start lies in prove nothing.
 
 use super::bernstein::{self, Cubic, lerp};
 use super::crossing::{Part, crossings};
@@ -46,21 +47,22 @@ pub fn certain(shape: &Shape, ray: &Ray) -> bool {
     bands.complete && bands.sure.len() == list.len() && bands.sure.iter().zip(&list).all(agree)
 }
 
-/// The bands of `t > t_min` at this `eps` in object units, in order. Passing an open end is a band too, but not listed.
+/// The bands of `t > t_min` at this `eps` in object units, in order.
 pub fn bands(shape: &Shape, ray: &Ray, eps: f64) -> Bands {
     let line = Line::new(shape, ray);
     let mut walk = Walk { shape, line: &line, eps, runs: Vec::new() };
     let start = ray.t_min - line.t0;
     walk.push(Run::sure(Side::Out, start.min(0.0)));
     let reach = line.within(shape.widest() + eps).and_then(|span| walk.reach(span));
-    if let Some([from, to]) = reach.filter(|&[_, to]| to > start) {
-        if from <= start {
-            walk.runs.clear();
+    if let Some(Reach { span: [from, to], before, behind }) = reach.filter(|reach| reach.span[1] > start) {
+        walk.runs.clear();
+        if from > start {
+            walk.push(Run { side: before, ..Run::sure(Side::Out, from) });
         }
         walk.all(from.max(start), to);
         // A line along the sheet goes on for ever as it is.
         if to.is_finite() {
-            walk.push(Run::sure(Side::Out, to));
+            walk.push(Run { side: behind, ..Run::sure(Side::Out, to) });
         }
     }
     walk.judge()
@@ -78,15 +80,22 @@ enum Side {
 struct Run {
     side: Side,
     wall: bool,
-    base: bool,
-    top: bool,
+    /// One bit for each knot's plane.
+    planes: u64,
     s: [f64; 2],
 }
 
 impl Run {
     fn sure(side: Side, s: f64) -> Self {
-        Run { side, wall: false, base: false, top: false, s: [s, s] }
+        Run { side, wall: false, planes: 0, s: [s, s] }
     }
+}
+
+/// Where a line is between the end planes, each moved out by eps, and within the cylinder; and on which side it is beyond.
+struct Reach {
+    span: [f64; 2],
+    before: Side,
+    behind: Side,
 }
 
 struct Walk<'a> {
@@ -102,29 +111,49 @@ impl Walk<'_> {
             Some(last) if last.side == run.side => {
                 last.s[1] = run.s[1];
                 last.wall |= run.wall;
-                last.base |= run.base;
-                last.top |= run.top;
+                last.planes |= run.planes;
             }
             _ => self.runs.push(run),
         }
     }
 
-    /// The part of the span between the end planes, each moved out by eps.
-    fn reach(&self, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
+    fn reach(&self, [from, to]: [f64; 2]) -> Option<Reach> {
         let (low, high) = (self.shape.base() - self.eps, self.shape.top() + self.eps);
+        let all = Reach { span: [from, to], before: Side::Out, behind: Side::Out };
         if self.line.horizontal() {
-            return (low..=high).contains(&self.line.near[2]).then_some([from, to]);
+            return (low..=high).contains(&self.line.near[2]).then_some(all);
         }
-        let (a, b) = (self.line.at_height(low), self.line.at_height(high));
-        let (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
-        (from < to).then_some([from, to])
+        let ((a, below), (b, above)) =
+            ((self.line.at_height(low), self.shape.below), (self.line.at_height(high), self.shape.above));
+        let ((first, entry), (last, exit)) =
+            if a < b { ((a, below), (b, above)) } else { ((b, above), (a, below)) };
+        let before = if first > from { self.beyond(first, entry) } else { Side::Out };
+        let behind = if last < to { self.beyond(last, exit) } else { Side::Out };
+        let span = [from.max(first), to.min(last)];
+        (span[0] < span[1]).then_some(Reach { span, before, behind })
+    }
+
+    /// The side of a point beyond an end that goes on with that squared radius.
+    fn beyond(&self, s: f64, square: f64) -> Side {
+        let at = self.line.squared_distance(s);
+        let tolerance = self.eps * (2.0 * at.sqrt() + self.eps);
+        side([square - at; 2], if square == 0.0 { 0.0 } else { tolerance })
+    }
+
+    /// The knots whose plane is a step's or an end's. A pole is none: the wall closes by itself.
+    fn steps(&self) -> impl Iterator<Item = usize> + use<'_> {
+        let last = self.shape.segments();
+        (0..=last).filter(move |&knot| {
+            let [below, above] = self.shape.radii(knot);
+            below != above || (knot == 0 || knot == last) && below > 0.0
+        })
     }
 
     /// Every height at which g, or what it means, changes its formula.
     fn planes(&self) -> Vec<f64> {
-        let (base, top) = (self.shape.base(), self.shape.top());
-        let mut planes = self.shape.knots.clone();
-        planes.extend([base - self.eps, base + self.eps, top - self.eps, top + self.eps]);
+        let steps = self.steps().map(|knot| self.shape.knots[knot]);
+        let mut planes: Vec<f64> = steps.flat_map(|z| [z - self.eps, z + self.eps]).collect();
+        planes.extend(&self.shape.knots);
         planes
     }
 
@@ -163,32 +192,52 @@ impl Walk<'_> {
         }))
     }
 
+    /// k·x² + y² below a squared radius, as ordinates.
+    fn below(&self, square: f64, s0: f64, s1: f64) -> Cubic {
+        bernstein::through(std::array::from_fn(|i| {
+            square - self.line.squared_distance(lerp(s0, s1, i as f64 / 3.0))
+        }))
+    }
+
     fn piece(&mut self, s0: f64, s1: f64, depth: u32) {
-        let g = self.ordinates(s0, s1);
-        let (low, high) = g.iter().fold((f64::MAX, f64::MIN), |(low, high), &g| (low.min(g), high.max(g)));
+        let range =
+            |g: Cubic| g.iter().fold([f64::MAX, f64::MIN], |[low, high], &g| [low.min(g), high.max(g)]);
         let tolerance = self.tolerance(s0, s1);
         let middle = lerp(s0, s1, 0.5);
         let z = self.line.point(middle)[2];
-        // An end of no radius is a pole: the wall closes by itself.
-        let ends_at = |knot: usize| {
-            self.shape.ordinates[3 * knot] > 0.0 && (z - self.shape.knots[knot]).abs() <= self.eps
-        };
-        let (base, top) = (ends_at(0), ends_at(self.shape.segments()));
-        let either = |wall| Run { side: Side::Either, wall, base, top, s: [s0, s1] };
-        let sure = |side| Run { s: [s0, s1], ..Run::sure(side, s0) };
-        if high < -tolerance {
-            return self.push(sure(Side::Out));
+        let wall = range(self.ordinates(s0, s1));
+        let mut all = vec![(wall, side(wall, tolerance))];
+        // The planes that are near, and those whose sides differ.
+        let (mut near, mut planes) = (0, 0);
+        for knot in self.steps().filter(|&knot| (z - self.shape.knots[knot]).abs() <= self.eps) {
+            let ring = self.shape.radii(knot).map(|square| range(self.below(square, s0, s1)));
+            let sides = ring.map(|range| side(range, tolerance));
+            // Beyond a cap is nothing, beside the axis, too.
+            let sides = match (knot, self.shape.segments() - knot, sides) {
+                (0, _, [_, wall]) if self.shape.below == 0.0 => [Side::Out, wall],
+                (_, 0, [wall, _]) if self.shape.above == 0.0 => [wall, Side::Out],
+                _ => sides,
+            };
+            near |= 1 << knot;
+            if sides[0] != sides[1] {
+                planes |= 1 << knot;
+            }
+            all.extend(ring.into_iter().zip(sides));
         }
-        if low > tolerance {
-            return self.push(if base || top { either(false) } else { sure(Side::In) });
+        let run = Run { side: Side::Either, wall: false, planes, s: [s0, s1] };
+        if all.iter().all(|(_, side)| *side != Side::Either) {
+            let first = all[0].1;
+            let is_one = all.iter().all(|(_, side)| *side == first);
+            return self.push(if is_one { Run { side: first, planes: 0, ..run } } else { run });
         }
         // To call a stretch a band is always sound; this is how finely it is worth deciding.
         let about = self.tolerance(middle, middle);
-        if low.abs().max(high.abs()) <= about
-            || (high - low <= about / 4.0 && tolerance <= 1.5 * about)
-            || depth == 40
-        {
-            return self.push(either(true));
+        let is_fine = |&[low, high]: &[f64; 2]| {
+            low.abs().max(high.abs()) <= about || (high - low <= about / 4.0 && tolerance <= 1.5 * about)
+        };
+        let mut unsure = all.iter().filter(|(_, side)| *side == Side::Either);
+        if unsure.any(|(range, _)| is_fine(range)) || depth == 40 {
+            return self.push(Run { wall: true, planes: near, ..run });
         }
         self.piece(s0, middle, depth + 1);
         self.piece(middle, s1, depth + 1);
@@ -200,24 +249,34 @@ impl Walk<'_> {
         let mut before = self.runs.first().map(|run| run.side);
         let mut rest = self.runs.get(1..).unwrap_or_default();
         while complete && let [band, after, others @ ..] = rest {
-            let single = band.wall as u8 + band.base as u8 + band.top as u8 == 1;
+            let single = band.wall as u32 + band.planes.count_ones() == 1;
             complete = band.side == Side::Either
                 && single
                 && after.side != Side::Either
                 && Some(after.side) != before;
             if complete {
-                let (part, open) = match (band.base, band.top) {
-                    (true, _) => (Part::Base, !self.shape.base_closed),
-                    (_, true) => (Part::Top, !self.shape.top_closed),
-                    _ => (Part::Wall, false),
+                let part = match band.planes.trailing_zeros() as usize {
+                    _ if band.wall => Part::Wall,
+                    0 => Part::Base,
+                    knot if knot == self.shape.segments() => Part::Top,
+                    _ => Part::Ring,
                 };
-                if !open {
-                    let [from, to] = band.s.map(|s| self.line.t0 + s);
-                    sure.push(Band { from, to, enters: after.side == Side::In, part });
-                }
+                let [from, to] = band.s.map(|s| self.line.t0 + s);
+                sure.push(Band { from, to, enters: after.side == Side::In, part });
             }
             (before, rest) = (Some(after.side), others);
         }
         Bands { sure, complete: complete && rest.is_empty() }
+    }
+}
+
+/// The side of points whose g has that range, and may be off by so much.
+fn side([low, high]: [f64; 2], tolerance: f64) -> Side {
+    if high < -tolerance || high <= 0.0 && tolerance == 0.0 {
+        Side::Out
+    } else if low > tolerance {
+        Side::In
+    } else {
+        Side::Either
     }
 }

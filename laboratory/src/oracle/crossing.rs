@@ -10,6 +10,7 @@ pub enum Part {
     Wall,
     Base,
     Top,
+    Ring,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -51,16 +52,18 @@ pub fn crossings(shape: &Shape, ray: &Ray) -> Vec<Crossing> {
     let mut found = Vec::new();
     // A little wider than the solid, so that g is surely below zero where the line is cut off.
     let span = line.within(shape.widest() * 1.001);
-    for piece in span.map_or(Vec::new(), |span| pieces(shape, &line, span)) {
+    let pieces = span.map_or(Vec::new(), |span| pieces(shape, &line, span));
+    for (number, piece) in pieces.iter().enumerate() {
         let values = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].map(|w| {
             let (s, u) = piece.at(w);
             value(shape, &line, piece.segment, s, u)
         });
         let changes = bernstein::sign_changes(bernstein::through(values));
-        let capped = |end: usize| (values[3 * end] > 0.0).then(|| cap(shape, &line, &piece, end)).flatten();
-        found.extend(capped(0));
-        found.extend(changes.into_iter().map(|(w, enters)| wall(shape, &line, &piece, w, enters)));
-        found.extend(capped(1));
+        found.extend(ring(shape, &line, piece, 0));
+        found.extend(changes.into_iter().map(|(w, enters)| wall(shape, &line, piece, w, enters)));
+        if number + 1 == pieces.len() {
+            found.extend(ring(shape, &line, piece, 1));
+        }
     }
     found.retain(|crossing| crossing.t > ray.t_min);
     found
@@ -120,27 +123,44 @@ fn wall(shape: &Shape, line: &Line, piece: &Piece, w: f64, enters: bool) -> Cros
     }
 }
 
-/// The cap at one end of a piece, if the solid ends there and is closed.
-fn cap(shape: &Shape, line: &Line, piece: &Piece, end: usize) -> Option<Crossing> {
-    let c = line.direction[2];
-    let (part, closed, knot, z) = if (end == 0) == (c > 0.0) {
-        (Part::Base, shape.base_closed, 0, -1.0)
-    } else {
-        (Part::Top, shape.top_closed, shape.segments(), 1.0)
-    };
+/// The ring at one end of a piece, if that lies on a knot's plane, and the line changes sides there. It does so by the very
+/// numbers that g has there.
+fn ring(shape: &Shape, line: &Line, piece: &Piece, end: usize) -> Option<Crossing> {
     let (s, u) = (piece.s[end], piece.u[end]);
-    let ends = !line.horizontal() && piece.segment as f64 + u == knot as f64;
-    let normal = [0.0, 0.0, z];
-    (ends && closed).then(|| Crossing {
+    if line.horizontal()
+        || (u != 0.0 && u != 1.0)
+        || line.at_height(shape.knots[piece.segment + u as usize]) != s
+    {
+        return None;
+    }
+    let knot = piece.segment + u as usize;
+    let [below, above] = shape.radii(knot);
+    let up = line.direction[2] > 0.0;
+    let (before, behind) = if up { (below, above) } else { (above, below) };
+    let square = line.squared_distance(s);
+    let enters = behind > square;
+    if (before > square) == enters || before == behind {
+        return None;
+    }
+    let normal = [0.0, 0.0, if below > above { 1.0 } else { -1.0 }];
+    let part = if knot == 0 {
+        Part::Base
+    } else if knot == shape.segments() {
+        Part::Top
+    } else {
+        Part::Ring
+    };
+    let is_of_lower = part == Part::Top || part == Part::Ring && below > above;
+    Some(Crossing {
         t: line.t0 + s,
-        enters: end == 0,
+        enters,
         part,
-        segment: piece.segment,
-        u,
+        segment: if is_of_lower { knot - 1 } else { knot },
+        u: if is_of_lower { 1.0 } else { 0.0 },
         point: line.point(s),
         normal,
         cos: cosine(normal, line.direction),
-        to_crease: shape.ordinates[3 * knot].sqrt() - line.squared_distance(s).sqrt(),
+        to_crease: shape.to_rim(knot, square.sqrt()),
     })
 }
 

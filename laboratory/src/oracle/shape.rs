@@ -5,24 +5,72 @@ use super::bernstein::{self, Cubic};
 /// Normals that turn by less than this at a join, in radians, are rounding and no crease.
 const CREASE: f64 = 1e-5;
 
-/// `k·x² + y² < f(z)`: n segments between n + 1 knots, 3n + 1 control values of the squared radius, shared at joins.
-/// A closed end has a flat cap; an open one has no surface.
+/// `k·x² + y² < f(z)`: n segments between n + 1 knots, each with four control values of the squared radius. Where two neighbours
+/// differ at their knot, a flat ring lies between the two radii; at an end, between that of the wall and the one beyond. So an end
+/// with nothing beyond has a cap, and one that goes on as wide as it is has no surface.
 #[derive(Clone, Debug)]
 pub struct Shape {
     pub knots: Vec<f64>,
-    pub ordinates: Vec<f64>,
+    pub segments: Vec<Cubic>,
     pub k: f64,
-    pub base_closed: bool,
-    pub top_closed: bool,
+    /// The squared radii beyond the ends.
+    pub below: f64,
+    pub above: f64,
 }
 
 impl Shape {
+    /// From knots and ordinates as a profile takes them: a knot that stands twice is a step, and has two ordinates.
+    pub fn new(knots: &[f64], ordinates: &[f64], k: f64) -> Self {
+        let mut shape = Self {
+            knots: vec![knots[0]],
+            segments: Vec::new(),
+            k,
+            below: ordinates[0],
+            above: ordinates[ordinates.len() - 1],
+        };
+        let mut at = 0;
+        for pair in knots.windows(2) {
+            if pair[0] == pair[1] {
+                at += 1;
+            } else {
+                shape.knots.push(pair[1]);
+                shape.segments.push(std::array::from_fn(|j| ordinates[at + j]));
+                at += 3;
+            }
+        }
+        assert_eq!(at + 1, ordinates.len(), "{knots:?} {ordinates:?}");
+        shape
+    }
+
     pub fn segments(&self) -> usize {
-        self.knots.len() - 1
+        self.segments.len()
     }
 
     pub fn squared_radius(&self, segment: usize) -> Cubic {
-        std::array::from_fn(|j| self.ordinates[3 * segment + j])
+        self.segments[segment]
+    }
+
+    /// The same with both ends open.
+    pub fn opened(mut self) -> Self {
+        let last = self.segments();
+        (self.below, self.above) = (self.radii(0)[1], self.radii(last)[0]);
+        self
+    }
+
+    /// The same with both ends capped.
+    pub fn closed(self) -> Self {
+        Self { below: 0.0, above: 0.0, ..self }
+    }
+
+    /// The squared radii just below a knot and just above.
+    pub fn radii(&self, knot: usize) -> [f64; 2] {
+        let below = knot.checked_sub(1).map_or(self.below, |segment| self.segments[segment][3]);
+        [below, self.segments.get(knot).map_or(self.above, |segment| segment[0])]
+    }
+
+    /// The radii of the wall's circles at a knot, but for those of no radius.
+    fn circles(&self, knot: usize) -> impl Iterator<Item = f64> {
+        self.radii(knot).into_iter().filter(|&square| square > 0.0).map(f64::sqrt)
     }
 
     pub fn base(&self) -> f64 {
@@ -39,7 +87,8 @@ impl Shape {
 
     /// No radius exceeds this one.
     pub fn widest(&self) -> f64 {
-        self.ordinates.iter().copied().fold(0.0, f64::max).sqrt()
+        let ordinates = self.segments.iter().flatten().copied();
+        ordinates.chain([self.below, self.above]).fold(0.0, f64::max).sqrt()
     }
 
     /// Height or largest diameter, whichever is more: the unit for tolerances.
@@ -86,10 +135,12 @@ impl Shape {
 
     /// Whether the wall's normal jumps or ends at a knot: a crease, a rim or a conical pole. A rounded pole is smooth.
     pub fn creased(&self, knot: usize) -> bool {
-        let r = self.ordinates[3 * knot].sqrt();
+        let [square, other] = self.radii(knot);
+        let r = square.max(other).sqrt();
         let below = knot.checked_sub(1).map(|segment| self.slope(segment, 1.0));
         let above = (knot < self.segments()).then(|| self.slope(knot, 0.0));
         match (below, above) {
+            (Some(_), Some(_)) if square != other => true,
             (Some(below), Some(above)) => (below.atan2(2.0 * r) - above.atan2(2.0 * r)).abs() > CREASE,
             (Some(slope), None) | (None, Some(slope)) => r > 0.0 || slope == 0.0,
             (None, None) => true,
@@ -99,7 +150,16 @@ impl Shape {
     /// A lower bound on the distance from a point of the wall to the nearest knot where its normal jumps.
     pub fn to_crease(&self, [x, y, z]: [f64; 3]) -> f64 {
         let r = (self.k * x * x + y * y).sqrt();
-        let away = |knot: usize| (r - self.ordinates[3 * knot].sqrt()).hypot(z - self.knots[knot]);
-        (0..self.knots.len()).filter(|&knot| self.creased(knot)).map(away).fold(f64::INFINITY, f64::min)
+        let away = |knot: usize| {
+            let radii = self.radii(knot).map(f64::sqrt);
+            radii.into_iter().map(move |radius| (r - radius).hypot(z - self.knots[knot]))
+        };
+        let creased = (0..self.knots.len()).filter(|&knot| self.creased(knot));
+        creased.flat_map(away).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The distance from a point of the ring at a knot to the nearest of its rims.
+    pub fn to_rim(&self, knot: usize, r: f64) -> f64 {
+        self.circles(knot).map(|radius| (r - radius).abs()).fold(f64::INFINITY, f64::min)
     }
 }

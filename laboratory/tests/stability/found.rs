@@ -215,7 +215,7 @@ fn any_hit_and_all_hits_of_a_sheet() {
     };
     let ray = Ray::new([1.399e-41, 0.0, 1.6495023e-33], [1.089e-42, 1.6490775e-33, 1.8183441e-38]);
     let (lathe, ray) = (turned(&outline), ray.expect("finite"));
-    assert_eq!(lathe.is_hit(&ray, 0.0), !lathe.hits::<50>(&ray, 0.0).is_empty());
+    assert_eq!(lathe.is_hit(&ray, 0.0), !lathe.hits::<65>(&ray, 0.0).is_empty());
 }
 
 /// Another, that is lower than rounding at the distance of the ray's origin.
@@ -234,7 +234,7 @@ fn the_nearest_hit_and_all_hits_of_a_sheet() {
         [-1.5002766e-26, -1.5002785e-26, -1.5002785e-26],
     );
     let (lathe, ray) = (turned(&outline), ray.expect("finite"));
-    assert_eq!(lathe.nearest(&ray, 0.0), lathe.hits::<50>(&ray, 0.0).first().copied());
+    assert_eq!(lathe.nearest(&ray, 0.0), lathe.hits::<65>(&ray, 0.0).first().copied());
 }
 
 /// A place much narrower than the segment's largest ordinate: the cubic is known there to units of that ordinate, the hit, found

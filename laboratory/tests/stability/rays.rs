@@ -67,7 +67,7 @@ fn the_truth_agrees_with_the_oracle() {
         Trouble::all().iter().flat_map(|trouble| (0..60).map(move |index| (trouble, index)))
     {
         let case = trouble.case(SEED + 1, index);
-        let shape = oracle::Shape { base_closed: false, top_closed: false, ..case.outline.shape() };
+        let shape = case.outline.shape().opened();
         let ray: oracle::Ray = case.cast.ray();
         if !oracle::certain(&shape, &ray) {
             continue;

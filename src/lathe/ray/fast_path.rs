@@ -13,6 +13,9 @@
 //! there than the ray's moment about the axis, which over √q is the distance from it: so a ray that passes by costs no
 //! division. (Of slopes, c1 and A and J, it is the halves that are reckoned with.)
 //!
+//! Where a profile has steps g may jump upwards, too: for misses, the sum of all jumps is part of `room`, and so of doubt.
+//! Hits of such a lathe are the traversal's to find.
+//!
 //! What is nearer to a decision than doubt, which is more than what rounding can do to g at a place, is left to the walk:
 //! below zero g must be by more; behind a root it must rise above that, as it does where `(A − J)² > 4·doubt·|g″/2|`; and
 //! the segment's ends, and the ray's start, must be farther away. What is not a number decides nothing.
@@ -134,6 +137,9 @@ impl View<'_> {
             }
         };
 
+        if frame.has_jumps {
+            return Glance::Undecided;
+        }
         let g = Cubic::new([c0, c1 + c1, c2, segment.f[3] * (kappa * kappa * kappa)]);
         let most = q + frame.curvature * rise;
         let mut steps = STEPS;

@@ -14,8 +14,8 @@ use heapless::Vec;
 impl<const N: usize> Lathe<[Segment; N]> {
     /// All crossings beyond `t_min`, in order.
     ///
-    /// A segment is met at most three times and either cap once: the capacity C must be at least 3·N + 2,
-    /// which is checked at compile time, and cannot overflow.
+    /// A segment is met at most three times, and each plane between two segments or at an end once: the capacity C must be at
+    /// least 3·N + (N + 1) = 4·N + 1, which is checked at compile time, and cannot overflow.
     #[must_use]
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         match self.whole().glance(ray, t_min) {
@@ -36,7 +36,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
     /// before it: rounding may put a wall before a cap at its rim.
     fn hits_on<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32, nearest: Option<Hit>) -> Vec<Hit, C> {
         const {
-            assert!(C >= 3 * N + 2, "a ray can meet a lathe of N segments 3·N + 2 times");
+            assert!(C > 4 * N, "a ray can meet a lathe of N segments 4·N + 1 times");
         }
         let mut hits = Vec::<Hit, C>::from_iter(nearest);
         let path = LocalRay::new(&self.frame, ray);

@@ -3,7 +3,7 @@
 use super::chord::Chord;
 use super::is_beyond;
 use super::local_ray::LocalRay;
-use crate::hit::Hit;
+use crate::hit::{Hit, Part};
 use crate::lathe::frame::{Frame, View};
 use crate::math::Math;
 use crate::math::minmax::{greater, lesser};
@@ -54,7 +54,9 @@ impl Interval {
 /// off. Returns what `meet` broke off with.
 ///
 /// The state is which side of the surface the ray is on. On the plane between two segments their common radius decides it, for
-/// both: a crossing that one of them finds beyond its end, and the other before its beginning, is reported there.
+/// both: a crossing that one of them finds beyond its end, and the other before its beginning, is reported there. Where they
+/// have no common radius, at a step, each side of the plane has its own, and a ray that changes sides there meets the ring
+/// between the two. The plane of an end is a step, too, to the radius of what is open there.
 #[inline(always)]
 pub(super) fn traverse<S: Solver, B>(
     lathe: View<'_>,
@@ -66,32 +68,43 @@ pub(super) fn traverse<S: Solver, B>(
     let interval = Interval::new::<S::Math>(frame, ray, t_min)?;
     let up = ray.rises();
     let (first, step) = if up { (0, 1) } else { (frame.len - 1, usize::MAX) };
+    let (entry, exit) = if up { (&frame.base, &frame.top) } else { (&frame.top, &frame.base) };
     let mut index = if interval.starts_at_plane { first } else { lathe.index_at(ray.height(interval.from)) };
-    let segment = segments.get(index)?;
+    let mut at = interval.from;
+    let mut square = ray.around(at).0;
+    // The squared radius on this side of the plane that the ray has come to, unless it begins between planes.
+    let mut before = interval.starts_at_plane.then_some(entry.beyond);
     let mut inside = if interval.starts_at_plane {
-        segment.end(!up) > ray.around(interval.from).0
+        entry.beyond > square
     } else {
-        !interval.starts_outside && ray.g_about(segment, interval.from).c[0] > 0.0
+        !interval.starts_outside && ray.g_about(segments.get(index)?, at).c[0] > 0.0
     };
     // Once a crossing is beyond t_min all that follow are, however their t is rounded.
     let mut since = t_min;
-    if inside
-        && interval.starts_at_plane
-        && let Some(hit) = cap(frame, ray, interval.from, t_min, up, true)
-    {
-        since = f32::NEG_INFINITY;
-        if let ControlFlow::Break(found) = meet(hit) {
-            return Some(found);
+    loop {
+        let segment = segments.get(index);
+        let behind = segment.map_or(exit.beyond, |segment| segment.end(!up));
+        if let Some(before) = before
+            && (behind > square) != inside
+        {
+            inside = !inside;
+            let is_step = before.to_bits() != behind.to_bits();
+            let hit = plane_hit(frame, ray.distance(at), index, is_step, up, inside);
+            if is_beyond(hit.t, since) {
+                since = f32::NEG_INFINITY;
+                if let ControlFlow::Break(found) = meet(hit) {
+                    return Some(found);
+                }
+            }
         }
-    }
-    let mut at = interval.from;
-    while let Some(segment) = segments.get(index) {
+        let segment = segment?;
         let plane = ray.plane(if up { segment.high } else { segment.low });
-        let end = lesser(interval.to, plane);
+        let (end, is_to_plane) = (lesser(interval.to, plane), plane <= interval.to);
         let is_near = ray.around(ray.closest(at, end)).0 <= segment.reach;
+        square = ray.around(end).0;
         // A ray that is inside at the beginning of a chord that is not near has left the solid there, by less than rounding.
         if is_near || inside {
-            let ends_inside = plane <= interval.to && segment.end(up) > ray.around(end).0;
+            let ends_inside = is_to_plane && segment.end(up) > square;
             let chord = Chord::new(ray, segment, index, [at, end]);
             let mut crossings = chord.crossings(inside, ends_inside);
             while let Some(s) = crossings.next::<S>() {
@@ -105,27 +118,34 @@ pub(super) fn traverse<S: Solver, B>(
                 }
             }
         }
-        at = end;
-        if !(end < interval.to) {
-            break;
+        // Where it leaves the bounding cylinder it is outside for good.
+        if !is_to_plane {
+            return None;
         }
+        (at, before) = (end, Some(segment.end(up)));
         index = index.wrapping_add(step);
     }
-    // Where it leaves the bounding cylinder it is outside: this is the plane of the other end.
-    if inside
-        && let Some(hit) = cap(frame, ray, interval.to, since, !up, false)
-        && let ControlFlow::Break(found) = meet(hit)
-    {
-        return Some(found);
-    }
-    None
 }
 
-/// The hit of a cap on the plane of an end, if there is one, beyond `t_min`.
+/// The hit on a plane where a ray changes sides: of the ring there, if it is a step's or an end's; else of the wall's circle, where a
+/// segment is too low for the crossing to be found within. `index` is the number of the segment behind the plane, if there is one.
 #[inline(never)]
-fn cap(frame: &Frame, ray: &LocalRay, t: f32, t_min: f32, low: bool, enters: bool) -> Option<Hit> {
-    let (segment, u, part) =
-        if low { (0, 0.0, frame.base.part) } else { (frame.len - 1, 1.0, frame.top.part) };
-    let hit = Hit { t: ray.distance(t), segment, u, enters, part: part? };
-    is_beyond(hit.t, t_min).then_some(hit)
+fn plane_hit(frame: &Frame, t: f32, index: usize, is_step: bool, up: bool, enters: bool) -> Hit {
+    // Of the segment above the plane.
+    let upper = if up { index } else { index.wrapping_add(1) };
+    let (is_base, is_top) = (upper == 0, upper == frame.len);
+    // What rays leave upwards faces up, and belongs to the segment below.
+    let is_of_lower = is_top || up != enters && !is_base;
+    Hit {
+        t,
+        segment: if is_of_lower { upper - 1 } else { upper },
+        u: if is_of_lower { 1.0 } else { 0.0 },
+        enters,
+        part: match is_step {
+            false => Part::Wall,
+            _ if is_base => Part::Base,
+            _ if is_top => Part::Top,
+            _ => Part::Ring,
+        },
+    }
 }

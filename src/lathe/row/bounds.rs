@@ -134,9 +134,13 @@ impl<'a> RowBounds<'a> {
         let q = dot_xy(d, d) - 2.0 * half * dot_xy(d, d1).abs();
         let steep = d.z.abs() + half * d1.z.abs();
         let drift = m1.z.abs() + span * d1.z.abs();
-        // Of use: if no ray is shorter than half the one half way, so that no bound is more than doubled by
-        // the spread; if the eye is outside the span; and if rounding leaves something to decide.
-        let is_usable = least > 0.25 * square && q > 0.0 && shift > span + slip && tolerance < MOST_TOLERANCE;
+        // Of use: if no ray is shorter than half the one half way, so that no bound is more than doubled by the spread; if the
+        // eye is outside the span; and if rounding leaves something to decide.
+        let is_usable = !frame.has_rings
+            && least > 0.25 * square
+            && q > 0.0
+            && shift > span + slip
+            && tolerance < MOST_TOLERANCE;
 
         let Plane { height, slope } = Plane::of(rays, frame.reach + tolerance);
         let slope = slope + slip;

@@ -12,7 +12,7 @@ impl Sweep<'_> {
     pub(super) fn cap_span(&self, i: u32) -> Option<Span> {
         let frame = self.bounds.lathe.frame;
         let is_rising = self.bounds.rising?;
-        let square = if is_rising { frame.base.cap } else { frame.top.cap };
+        let square = if is_rising { frame.base.cap() } else { frame.top.cap() };
         if !(square > 0.0) {
             return None;
         }

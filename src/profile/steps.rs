@@ -1,0 +1,45 @@
+//! Knots, counted: two at different heights make a segment, two at one height a step.
+
+use super::ProfileError;
+
+/// How many segments and steps an outline's knots make.
+pub(super) struct Counts {
+    pub segments: usize,
+    pub steps: usize,
+}
+
+impl Counts {
+    /// # Errors
+    ///
+    /// If a knot is not finite, if three of them stand at one height, or if there is no segment.
+    pub const fn of(knots: &[f32]) -> Result<Self, ProfileError> {
+        let (mut steps, mut knot) = (0, 0);
+        while knot < knots.len() {
+            let height = knots[knot];
+            if !height.is_finite() {
+                return Err(ProfileError::KnotNotFinite { knot, height });
+            }
+            if is_step(knots, knot) {
+                if knot > 1 && is_step(knots, knot - 1) {
+                    return Err(ProfileError::KnotThrice { knot, height });
+                }
+                steps += 1;
+            }
+            knot += 1;
+        }
+        if knots.len() < steps + 2 {
+            return Err(ProfileError::NoSegments { knots: knots.len() });
+        }
+        Ok(Self { segments: knots.len() - 1 - steps, steps })
+    }
+
+    /// How many ordinates such an outline has: three for each segment, one for each step, and one more.
+    pub const fn ordinates(&self) -> usize {
+        3 * self.segments + self.steps + 1
+    }
+}
+
+/// Whether a knot stands at the height of the one before it.
+pub(super) const fn is_step(knots: &[f32], knot: usize) -> bool {
+    knot > 0 && knots[knot] == knots[knot - 1]
+}

@@ -143,4 +143,16 @@ impl View<'_> {
             }
         }
     }
+    /// The number of the segment at a height, by steps from one that is near. Beyond the ends of the solid, a number that
+    /// no segment has.
+    #[inline(always)]
+    pub fn index_from(&self, mut index: usize, z: f32) -> usize {
+        while self.segments.get(index).is_some_and(|segment| z < segment.low) {
+            index = index.wrapping_sub(1);
+        }
+        while self.segments.get(index).is_some_and(|segment| segment.high < z) {
+            index += 1;
+        }
+        index
+    }
 }

@@ -1,176 +1,297 @@
-//! What most rays meet, decided without a traversal.
+//! The fast path of one ray: conservative tests at one or two places that decide most rays.
 //!
-//! At a place on a ray, at the heights of the solid, g is known, and its slope. Everywhere else it lies below a
-//! parabola, by the whole profile's bounds: over the distance s from there,
+//! A place is a point of the ray, at a height of the solid. There g and its slope are known, and elsewhere g
+//! lies below a parabola, by bounds of the whole profile: at the distance s from a place where g is c0 and
+//! has the slope c1,
 //!
-//! `g ≤ c0 + (|c1| + J)·|s| + K·s²`, J = kinks·|dz|, K = bulge·dz² − q.
+//! `g ≤ c0 + (|c1| + J)·|s| + K·s²`, `K = convexity·dz² − q`, `J = (sum of the slope jumps)·|dz|`.
 //!
-//! If that does not come up to zero the ray misses. Otherwise the segment's own parabola tells where there may be a root,
-//! or where g is greatest: the next place to look at. Once a root is in the segment looked at, Newton's method finds it;
-//! and if its slope A exceeds J, `g ≤ −(A − J)·x + K·x²` at x before it: it is the first.
+//! The steps are
 //!
-//! The first place is the one nearest to the axis, which all but a few rays need no other than. Of x and y no more matters
-//! there than the ray's moment about the axis, which over √q is the distance from it: so a ray that passes by costs no
-//! division. (Of slopes, c1 and A and J, it is the halves that are reckoned with.)
+//! 1. Reject: the ray misses if it passes the bounding cylinder. That takes no division, for its distance
+//!    from the axis is its moment about the axis over √q.
+//! 2. Place: the point nearest to the axis, or, if that is above or below the solid, the point on the plane
+//!    of the end.
+//! 3. Bound: the ray misses if the parabola stays below zero.
+//! 4. Solve: the parabola of the place's own segment says where a root may be. If that is in another segment,
+//!    steps 3 and 4 are repeated there, once; if there is no such root, where that parabola is greatest. In
+//!    the segment of the place, Newton's method finds the root of the segment's cubic.
+//! 5. Certify: if the slope A at the root exceeds J, `g ≤ −(A − J)·x + K·x²` at the distance x before it, so
+//!    the root is the nearest.
 //!
-//! Where a profile has steps g may jump upwards, too: for misses, the sum of all jumps is part of `room`, and so of doubt.
-//! Hits of such a lathe are the traversal's to find.
+//! Each decision keeps a tolerance, which is more than rounding can change g by: for a miss g must stay below
+//! zero by more than that; behind a root g must rise above it, as it does where `(A − J)² >
+//! 4·tolerance·|g″/2|`; and the ends of the segment and the ray's start must be farther away. All else is
+//! undecided and left to the traversal. Comparisons are written so that NaN decides nothing.
 //!
-//! What is nearer to a decision than doubt, which is more than what rounding can do to g at a place, is left to the walk:
-//! below zero g must be by more; behind a root it must rise above that, as it does where `(A − J)² > 4·doubt·|g″/2|`; and
-//! the segment's ends, and the ray's start, must be farther away. What is not a number decides nothing.
+//! Where a profile has steps, g may jump upwards, too. For misses the sum of all jumps is part of the
+//! tolerance. Hits of such a lathe are left to the traversal.
+//!
+//! The code computes with half slopes: those of g and of x² + y², and J/2.
 
 use super::is_beyond;
 use crate::cubic::Cubic;
 use crate::hit::{Hit, Part};
-use crate::lathe::frame::View;
-use crate::math::cold_path;
+use crate::lathe::frame::{Frame, View};
+use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
-use crate::math::{Math, Native};
+use crate::math::{Math, Native, UNIT_ROUNDOFF, cold_path};
 use crate::ray::Ray;
 
 /// What the fast path decides about a ray.
-pub(super) enum Glance {
-    /// It meets nothing beyond `t_min`.
+pub(super) enum Decision {
+    /// The ray has no crossing beyond `t_min`.
     Miss,
-    /// This is its nearest crossing.
+    /// This is the ray's nearest crossing beyond `t_min`, and enters the solid.
     Hit(Hit),
-    /// One or the other: the traversal decides.
+    /// The traversal has to decide.
     Undecided,
 }
 
-/// The q of a ray that is not steep: whatever a direction's length, from 1 to 43.
+/// The q above which a ray is flat enough: with q ≥ 1/4, √q ≤ 2·q and |dz| ≤ q + dz², as the tolerance needs
+/// (see [`ROUNDING`](crate::lathe::frame::ROUNDING)).
 const FLAT: f32 = 0.25;
 
-/// How many of Newton's steps are taken, at most.
-const STEPS: u32 = 4;
+/// The most steps of Newton's method. From the root of the parabola, which is off by the cubic term only,
+/// most rays take one or two; four square an error of 1/4 to below 2⁻²⁵. A ray that needs more is undecided.
+const NEWTON_STEPS: u32 = 4;
 
-/// How far from the root, in units of the direction, a step may leave off.
-const ROOT: f32 = 1.0 / 33_554_432.0;
+/// The error in s that the last of Newton's steps may leave, in units of the direction: 2⁻²⁵, the rounding of
+/// s where it is at most 1.
+const ROOT_ERROR: f32 = 0.5 * UNIT_ROUNDOFF;
 
-impl View<'_> {
-    /// What a ray meets beyond `t_min`.
-    #[inline]
-    pub(super) fn glance(&self, ray: &Ray, t_min: f32) -> Glance {
-        let View { frame, segments } = *self;
-        let (o, d) = (ray.origin, ray.direction);
-        let x = d.x * frame.squash;
-        let q = x * d.x + d.y * d.y;
-        let moment = (o.x * d.y - o.y * d.x) * frame.across;
-        let moment = moment * moment;
-        if moment > frame.reach * q {
-            return Glance::Miss;
+/// What bounds g along a ray, whatever the place.
+struct Slopes<'a> {
+    frame: &'a Frame,
+    dz: f32,
+    /// dx² + dy², x scaled by √k.
+    q: f32,
+    /// convexity·dz²: K is this less q, and below zero.
+    convexity: f32,
+}
+
+/// A point of a ray.
+struct Place {
+    /// The distance from the place to the ray's origin, in units of the direction: negative for a place ahead
+    /// of it.
+    back: f32,
+    /// The squared distance from the axis, and half its derivative along the ray.
+    square: f32,
+    half_slope: f32,
+    /// The height.
+    z: f32,
+}
+
+/// g about a place, along the cubic of the place's segment.
+struct Expansion<'a> {
+    segment: &'a Segment,
+    /// The segment's parameter at the place, and its derivative along the ray.
+    u: f32,
+    kappa: f32,
+    /// `[c0, c1, c2]` of `g = c0 + 2·c1·s + c2·s² + f₃·κ³·s³`.
+    parabola: [f32; 3],
+}
+
+impl Slopes<'_> {
+    /// J/2.
+    #[inline(always)]
+    fn half_jump(&self) -> f32 {
+        (self.frame.kinks * self.dz).abs()
+    }
+}
+
+impl Place {
+    /// The point of a ray that is nearest to the axis, given the ray's squared moment about the axis.
+    #[inline(always)]
+    fn nearest_to_axis(slopes: &Slopes, ray: &Ray, moment_squared: f32) -> Self {
+        let (frame, o, d) = (slopes.frame, ray.origin, ray.direction);
+        let per_q = 1.0 / slopes.q;
+        let back = (o.x * (d.x * frame.squash) + o.y * d.y) * frame.scale * per_q;
+        let z = (o.z - frame.middle) * frame.scale - d.z * back;
+        Self { back, square: moment_squared * per_q, half_slope: 0.0, z }
+    }
+
+    /// The point at the height `end`, given the one nearest to the axis.
+    #[inline(always)]
+    fn moved_to(self, end: f32, slopes: &Slopes) -> Self {
+        let s = (end - self.z) / slopes.dz;
+        let half_slope = slopes.q * s;
+        Self { back: self.back - s, square: self.square + half_slope * s, half_slope, z: end }
+    }
+
+    /// The point at the distance s farther along the ray.
+    #[inline(always)]
+    fn moved_by(self, s: f32, slopes: &Slopes) -> Self {
+        let change = slopes.q * s;
+        Self {
+            back: self.back - s,
+            square: self.square + (self.half_slope + self.half_slope + change) * s,
+            half_slope: self.half_slope + change,
+            z: self.z + slopes.dz * s,
         }
-        let rise = d.z * d.z;
-        let bulge = frame.bulge * rise;
-        if !(q > greater(bulge, FLAT)) {
-            return Glance::Undecided;
+    }
+}
+
+impl<'a> Expansion<'a> {
+    /// The expansion of g about a place in a segment.
+    #[inline(always)]
+    fn about(place: &Place, segment: &'a Segment, slopes: &Slopes) -> Self {
+        let (u, kappa) = ((place.z - segment.low) * segment.per_height, slopes.dz * segment.per_height);
+        let [f0, f1, f2] = segment.about(u);
+        let parabola = [f0 - place.square, f1 * kappa - place.half_slope, f2 * (kappa * kappa) - slopes.q];
+        Self { segment, u, kappa, parabola }
+    }
+
+    /// Whether the bound certifies that g stays below zero by more than the tolerance: all along the ray, or,
+    /// with `has_one_side`, for a place on the plane of an end, on that side of the plane where the solid is.
+    #[inline(always)]
+    fn misses(&self, place: &Place, has_one_side: bool, slopes: &Slopes, tolerance: f32) -> bool {
+        let [c0, c1, _] = self.parabola;
+        let highest = c0 + tolerance;
+        if !(highest < 0.0) {
+            return false;
         }
-
-        // Where it is nearest to the axis: how far behind its origin, how far off and how high.
-        let per_q = 1.0 / q;
-        let mut back = (o.x * x + o.y * d.y) * frame.scale * per_q;
-        let mut square = moment * per_q;
-        let mut z = (o.z - frame.middle) * frame.scale - d.z * back;
-        let mut doubt = frame.rounding * (frame.room + back.abs() * (q + rise));
-        let jump = || (frame.kinks * d.z).abs();
-
-        // Half the slope of the square.
-        let mut pull = 0.0;
-        // Beyond an end's plane, on that plane. Farther from the axis the solid is on one side of it.
-        let end = lesser(frame.high, greater(frame.low, z));
-        if end != z {
-            cold_path();
-            let away = (end - z) / d.z;
-            pull = q * away;
-            square += pull * away;
-            // The flatter the ray, the farther off rounding may put the place, and so this.
-            doubt *= 1.0 + (pull / d.z).abs();
-            if square > frame.reach + doubt {
-                return Glance::Miss;
-            }
-            (z, back) = (end, back - away);
-        }
-
-        let mut index = self.index_at(z);
-        let mut is_second = false;
-        let (segment, u, kappa, [c0, c1, c2], mut s) = loop {
-            let Some(segment) = segments.get(index) else {
-                return Glance::Undecided;
-            };
-            let (u, kappa) = ((z - segment.low) * segment.per_height, d.z * segment.per_height);
-            let [f0, f1, f2] = segment.about(u);
-            let [c0, c1, c2] = [f0 - square, f1 * kappa - pull, f2 * (kappa * kappa) - q];
-            let highest = c0 + doubt;
-            if highest < 0.0 {
-                let lean = if !is_second && pull != 0.0 {
-                    greater(jump() + c1 * 1_f32.copysign(pull), 0.0)
-                } else {
-                    jump() + c1.abs()
-                };
-                if lean * lean < (bulge - q) * highest {
-                    return Glance::Miss;
-                }
-            }
-            let apart = c1 * c1 - c2 * c0;
-            let s = (Native::sqrt(apart) - c1) / c2;
-            let to = u + kappa * s;
-            // From 0 to 1, as a number's bits tell: only those below zero have more.
-            if to.to_bits() <= 1_f32.to_bits() {
-                break (segment, u, kappa, [c0, c1, c2], s);
-            }
-            cold_path();
-            if is_second {
-                return Glance::Undecided;
-            }
-            is_second = true;
-            let s = if apart >= 0.0 { s } else { -c1 / c2 };
-            let turn = q * s;
-            square += (pull + pull + turn) * s;
-            (pull, back, z) = (pull + turn, back - s, z + d.z * s);
-            // Beyond the solid's ends there is no segment.
-            while segments.get(index).is_some_and(|segment| z < segment.low) {
-                index = index.wrapping_sub(1);
-            }
-            while segments.get(index).is_some_and(|segment| segment.high < z) {
-                index += 1;
-            }
+        // A bound of the half slope on the way from the place into the solid. On an end's plane the solid
+        // lies on one side only, away from the point nearest to the axis: where s has the sign of
+        // place.half_slope.
+        let half_slope = if has_one_side && place.half_slope != 0.0 {
+            greater(slopes.half_jump() + c1 * 1_f32.copysign(place.half_slope), 0.0)
+        } else {
+            slopes.half_jump() + c1.abs()
         };
+        // The discriminant of highest + 2·half_slope·|s| + K·s².
+        half_slope * half_slope < (slopes.convexity - slopes.q) * highest
+    }
+}
 
-        if frame.has_jumps {
-            return Glance::Undecided;
+/// Where the parabola of an expansion says that the ray may enter the solid.
+enum Guess {
+    /// At this s, in the expansion's own segment.
+    Here(f32),
+    /// About the point at this s, in another segment.
+    Elsewhere(f32),
+}
+
+impl Expansion<'_> {
+    /// The lower root of the parabola, which opens downwards, or, if it has no root, the s where it is
+    /// greatest: that is elsewhere, wherever it is.
+    #[inline(always)]
+    fn guess(&self) -> Guess {
+        let [c0, c1, c2] = self.parabola;
+        let discriminant = c1 * c1 - c2 * c0;
+        let s = (Native::sqrt(discriminant) - c1) / c2;
+        // Whether u is from 0 to 1, by its bits: those of NaN and of negative numbers are larger.
+        if (self.u + self.kappa * s).to_bits() <= 1_f32.to_bits() {
+            return Guess::Here(s);
         }
-        let g = Cubic::new([c0, c1 + c1, c2, segment.f[3] * (kappa * kappa * kappa)]);
-        let most = q + frame.curvature * rise;
-        let mut steps = STEPS;
-        let slope = loop {
+        cold_path();
+        Guess::Elsewhere(if discriminant >= 0.0 { s } else { -c1 / c2 })
+    }
+
+    /// The root of g near s and the slope of g there, or rather before the last of Newton's steps. `most`
+    /// bounds |g″/2|. `None` if the steps do not become small enough.
+    #[inline(always)]
+    fn root_near(&self, mut s: f32, most: f32) -> Option<(f32, f32)> {
+        let [c0, c1, c2] = self.parabola;
+        let g = Cubic::new([c0, c1 + c1, c2, self.segment.f[3] * (self.kappa * self.kappa * self.kappa)]);
+        let mut steps = NEWTON_STEPS;
+        loop {
             let (value, slope) = g.with_slope(s);
             let step = value / slope;
             s -= step;
-            if most * step * step <= ROOT * slope {
-                break slope;
+            // The error that the step leaves, most·step²/slope.
+            if most * step * step <= ROOT_ERROR * slope {
+                return Some((s, slope));
             }
             steps -= 1;
             if steps == 0 {
-                return Glance::Undecided;
+                return None;
             }
+        }
+    }
+}
+
+impl View<'_> {
+    /// Decides whether a ray has a crossing beyond `t_min`, and which is the nearest, as far as one or two
+    /// places tell.
+    #[inline]
+    pub(super) fn fast_path(&self, ray: &Ray, t_min: f32) -> Decision {
+        let View { frame, segments } = *self;
+        let (o, d) = (ray.origin, ray.direction);
+        // Reject.
+        let q = d.x * frame.squash * d.x + d.y * d.y;
+        let moment = (o.x * d.y - o.y * d.x) * frame.across;
+        let moment_squared = moment * moment;
+        if moment_squared > frame.reach * q {
+            return Decision::Miss;
+        }
+        let rise = d.z * d.z;
+        let slopes = Slopes { frame, dz: d.z, q, convexity: frame.bulge * rise };
+        if !(q > greater(slopes.convexity, FLAT)) {
+            return Decision::Undecided;
+        }
+
+        // Place.
+        let mut place = Place::nearest_to_axis(&slopes, ray, moment_squared);
+        let mut tolerance = frame.rounding * (frame.room + place.back.abs() * (q + rise));
+        let end = lesser(frame.high, greater(frame.low, place.z));
+        if end != place.z {
+            cold_path();
+            place = place.moved_to(end, &slopes);
+            // The flatter the ray, the farther rounding of heights moves its point on a plane, and x² + y²
+            // with it.
+            tolerance *= 1.0 + (place.half_slope / d.z).abs();
+            // Farther from the axis the solid lies on one side of the plane only, and the ray there is
+            // farther still.
+            if place.square > frame.reach + tolerance {
+                return Decision::Miss;
+            }
+        }
+
+        // Bound, and guess where the root is.
+        let mut index = self.index_at(place.z);
+        let mut is_first = true;
+        let (expansion, s) = loop {
+            let Some(segment) = segments.get(index) else {
+                return Decision::Undecided;
+            };
+            let expansion = Expansion::about(&place, segment, &slopes);
+            if expansion.misses(&place, is_first, &slopes, tolerance) {
+                return Decision::Miss;
+            }
+            match expansion.guess() {
+                Guess::Here(s) => break (expansion, s),
+                Guess::Elsewhere(s) if is_first => place = place.moved_by(s, &slopes),
+                Guess::Elsewhere(_) => return Decision::Undecided,
+            }
+            is_first = false;
+            index = self.index_from(index, place.z);
         };
-        // From before the last step. That turned half the slope by less than three tenths of what it exceeds J by: the
-        // square of that is no more than ROOT·A/(2·doubt) of this one's, doubt at least 80·ROOT·(2 + S), and A at most 12·(2 + S):
-        // of a direction of more than four it is more, but so is `doubt`, by how far away the eye is.
-        let steep = 0.5 * slope - jump();
-        let (u, way) = (u + kappa * s, s - back);
+
+        // Solve.
+        if frame.has_jumps {
+            return Decision::Undecided;
+        }
+        let most = q + frame.curvature * rise;
+        let Some((s, slope)) = expansion.root_near(s, most) else {
+            return Decision::Undecided;
+        };
+
+        // Certify.
+        let margin = 0.5 * slope - slopes.half_jump();
+        let u = expansion.u + expansion.kappa * s;
+        let way = s - place.back;
         let unit = frame.scale * ray.unit;
         let t = way / unit;
-        // Beyond t_min it is ahead, and so the slope must be above zero.
-        let is_told = steep * steep > 2.0 * most * doubt
-            && lesser(u, 1.0 - u) > doubt * segment.per_height
-            && (way - t_min * unit) * steep > doubt
+        // Beyond t_min the root is ahead, and so the slope must be above zero.
+        let is_certain = margin * margin > 2.0 * most * tolerance
+            && lesser(u, 1.0 - u) > tolerance * expansion.segment.per_height
+            && (way - t_min * unit) * margin > tolerance
             && is_beyond(t, t_min);
-        if is_told {
-            Glance::Hit(Hit { t, segment: index, u, enters: true, part: Part::Wall })
+        if is_certain {
+            Decision::Hit(Hit { t, segment: index, u, enters: true, part: Part::Wall })
         } else {
-            Glance::Undecided
+            Decision::Undecided
         }
     }
 }

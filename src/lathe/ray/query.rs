@@ -1,6 +1,6 @@
 //! What one may ask of a ray and a lathe: the nearest crossing, any, all.
 
-use super::fast_path::Glance;
+use super::fast_path::Decision;
 use super::local_ray::LocalRay;
 use super::traverse::traverse;
 use crate::hit::Hit;
@@ -18,10 +18,10 @@ impl<const N: usize> Lathe<[Segment; N]> {
     /// least 3·N + (N + 1) = 4·N + 1, which is checked at compile time, and cannot overflow.
     #[must_use]
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        match self.whole().glance(ray, t_min) {
-            Glance::Miss => Vec::new(),
-            Glance::Hit(nearest) => self.hits_on::<Newton, C>(ray, t_min, Some(nearest)),
-            Glance::Undecided => self.hits_on::<Newton, C>(ray, t_min, None),
+        match self.whole().fast_path(ray, t_min) {
+            Decision::Miss => Vec::new(),
+            Decision::Hit(nearest) => self.hits_on::<Newton, C>(ray, t_min, Some(nearest)),
+            Decision::Undecided => self.hits_on::<Newton, C>(ray, t_min, None),
         }
     }
 
@@ -67,10 +67,10 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[inline(never)]
     #[must_use]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        match self.whole().glance(ray, t_min) {
-            Glance::Miss => None,
-            Glance::Hit(hit) => Some(hit),
-            Glance::Undecided => self.walked(ray, t_min),
+        match self.whole().fast_path(ray, t_min) {
+            Decision::Miss => None,
+            Decision::Hit(hit) => Some(hit),
+            Decision::Undecided => self.walked(ray, t_min),
         }
     }
 

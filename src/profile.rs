@@ -4,6 +4,7 @@ mod error;
 mod extremes;
 mod quadrics;
 mod steps;
+mod through;
 
 pub use error::ProfileError;
 
@@ -179,7 +180,6 @@ impl<const N: usize> Profile<N> {
             return Err(ProfileError::Negative { segment: len - 1, height: knots[last], square: above });
         }
         let mut spans = [Span::EMPTY; N];
-        let mut largest = 0.0;
         let (mut i, mut j, mut knot) = (0, 0, 1);
         while knot <= last {
             let (z, top) = (knots[knot - 1], knots[knot]);
@@ -190,42 +190,54 @@ impl<const N: usize> Profile<N> {
                 j += 1;
             } else if top > z {
                 let b = [ordinates[j], ordinates[j + 1], ordinates[j + 2], ordinates[j + 3]];
-                let extremes = Extremes::of(b);
-                if !(extremes.least >= 0.0) {
-                    let height = z + (top - z) * extremes.narrowest;
-                    return Err(ProfileError::Negative { segment: i, height, square: extremes.least });
-                }
-                largest = extremes.largest.max(largest);
-                spans[i] = Span { z, top, b, largest: extremes.largest, narrowest: extremes.narrowest };
+                spans[i] = match Span::new(i, z, top, b) {
+                    Ok(span) => span,
+                    Err(error) => return Err(error),
+                };
                 (i, j) = (i + 1, j + 3);
             } else {
                 return Err(ProfileError::KnotsNotIncreasing { knot, before: z, height: top });
             }
             knot += 1;
         }
-        if !(largest >= 1e-30) {
-            return Err(ProfileError::Size { square: largest });
+        Self::of(spans, len, below, above)
+    }
+
+    /// A profile of segments one on the other, the first `len` of N, and the squared radii beyond its ends.
+    ///
+    /// # Errors
+    ///
+    /// [`ProfileError`] if it is too large, too small or too high, or a segment of it too low.
+    const fn of(spans: [Span; N], len: usize, below: f32, above: f32) -> Result<Self, ProfileError> {
+        let profile = Self { spans, len, squash: 1.0, below, above };
+        let wall = Self { below: 0.0, above: 0.0, ..profile }.largest();
+        if !(wall >= 1e-30) {
+            return Err(ProfileError::Size { square: wall });
         }
-        let radius = const_fn::sqrt(largest);
-        let height = knots[last] - knots[0];
+        let radius = const_fn::sqrt(wall);
+        let [base, top] = profile.heights();
+        let height = top - base;
         if !(height <= MOST * radius) {
             return Err(ProfileError::Height { height, radius });
         }
         // A flange at an end may be wider than all of the wall.
-        let largest = largest.max(below).max(above);
+        let largest = profile.largest();
         if !(largest <= 1e30) {
             return Err(ProfileError::Size { square: largest });
         }
         let radius = const_fn::sqrt(largest);
-        let mut knot = 1;
-        while knot <= last {
-            let (before, height) = (knots[knot - 1], knots[knot]);
-            if !((height - before) * MOST >= radius || is_step(knots, knot)) {
-                return Err(ProfileError::KnotsNotIncreasing { knot, before, height });
+        let (mut i, mut knot, mut before) = (0, 0, below);
+        while i < len && i < N {
+            let Span { z, top, b: [b0, .., b3], .. } = spans[i];
+            // One knot more, or two where a step stands at the lower one.
+            knot += if before == b0 { 1 } else { 2 };
+            before = b3;
+            if !((top - z) * MOST >= radius) {
+                return Err(ProfileError::KnotsNotIncreasing { knot, before: z, height: top });
             }
-            knot += 1;
+            i += 1;
         }
-        Ok(Self { spans, len, squash: 1.0, below, above })
+        Ok(profile)
     }
 
     /// This profile stretched along x: `k·x² + y²` takes the place of `x² + y²`. With k = 1 it is round,
@@ -329,4 +341,18 @@ impl End {
 
 impl Span {
     pub const EMPTY: Self = Self { z: 0.0, top: 0.0, b: [0.0; 4], largest: 0.0, narrowest: 0.0 };
+
+    /// Segment number i, from the height z to `top`.
+    ///
+    /// # Errors
+    ///
+    /// [`ProfileError::Negative`] if the squared radius is that somewhere, or NaN.
+    const fn new(i: usize, z: f32, top: f32, b: [f32; 4]) -> Result<Self, ProfileError> {
+        let extremes = Extremes::of(b);
+        if !(extremes.least >= 0.0) {
+            let height = z + (top - z) * extremes.narrowest;
+            return Err(ProfileError::Negative { segment: i, height, square: extremes.least });
+        }
+        Ok(Self { z, top, b, largest: extremes.largest, narrowest: extremes.narrowest })
+    }
 }

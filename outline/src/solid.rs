@@ -10,7 +10,7 @@ use crate::{
     fit,
     outline::Outline,
     piece::{Piece, Point},
-    section::{self, Section},
+    section::{self, Section, Tip},
     segment::Segment,
     walls::{self, Flat, Run, Runs, Wall},
 };
@@ -314,29 +314,37 @@ fn fit_wall(
 
 /// The fewest segments whose rounded numbers are proven to be within the tolerance.
 fn fit_section(section: &Section, fit: &Fit) -> Result<(Vec<Segment>, [bool; 2], f64), OutlineError> {
-    // Distances are sampled, and to first order, before they are proven.
-    let mut aim = 0.98 * fit.tolerance;
     let mut reached = f64::INFINITY;
-    for attempt in 0..TRIES {
-        let Some(fitted) = fit::fewest(section, aim, fit.places) else { break };
-        let segments: Vec<Segment> = fitted.segments.iter().map(Segment::rounded).collect();
-        if segments.iter().any(|segment| segment.z[0] >= segment.z[1]) {
-            break;
+    let without_steps = Section {
+        pieces: section.pieces.clone(),
+        low: Tip { step: false, ..section.low },
+        high: Tip { step: false, ..section.high },
+    };
+    // If steps do not do, without.
+    for section in [section, &without_steps] {
+        // Distances are sampled, and to first order, before they are proven.
+        let mut aim = 0.98 * fit.tolerance;
+        for tries in 0..TRIES {
+            let Some(fitted) = fit::fewest(section, aim, fit.places) else { break };
+            let segments: Vec<Segment> = fitted.segments.iter().map(Segment::rounded).collect();
+            if segments.iter().any(|segment| segment.z[0] >= segment.z[1]) {
+                break;
+            }
+            let error = certificate::distance(section, &segments, fitted.steps, fit.tolerance);
+            if error <= fit.tolerance {
+                return Ok((segments, fitted.steps, error));
+            }
+            reached = reached.min(error);
+            // A proof may miss by little what it would take a far tighter fit to mend.
+            aim *= (0.98 * fit.tolerance / error).clamp(0.6, 0.98) * 0.97f64.powi(tries);
         }
-        let error = certificate::distance(section, &segments, fitted.steps, fit.tolerance);
-        if error <= fit.tolerance {
-            return Ok((segments, fitted.steps, error));
-        }
-        reached = reached.min(error);
-        // A proof may miss by little what it would take a far tighter fit to mend.
-        aim *= (0.98 * fit.tolerance / error).clamp(0.6, 0.98) * 0.97f64.powi(attempt as i32);
     }
     let between = [section.low.at.z, section.high.at.z];
     Err(OutlineError::OutOfReach { tolerance: fit.tolerance / SHARE, between, reached })
 }
 
 /// How often a section is fitted more tightly because the proof missed the tolerance.
-const TRIES: usize = 12;
+const TRIES: i32 = 10;
 
 /// Whether fitted walls cross, at which height, and how near they must have been.
 fn walls_meet(sheets: &[Sheet]) -> Option<(f64, f64)> {

@@ -100,6 +100,13 @@ pub enum ProfileError {
         /// The squash given.
         squash: f32,
     },
+    /// The radius of a point that a profile is to pass through is negative, infinite or NaN.
+    Radius {
+        /// Which point, from 0.
+        point: usize,
+        /// Its radius.
+        radius: f32,
+    },
     /// A radius or a height of an exact profile, as [`Profile::cylinder`](crate::Profile::cylinder), is
     /// negative, zero, infinite or NaN.
     Dimension {
@@ -178,6 +185,9 @@ impl ProfileError {
             ]),
             Self::Squash { squash } => {
                 Message::of([Text("the squash must be from 0 to 1, and is "), Number(squash)])
+            }
+            Self::Radius { point, radius } => {
+                Message::of([Text("the radius of point "), Count(point), Text(" is "), Number(radius)])
             }
             Self::Dimension { name, value } => {
                 let fault = if value < 0.0 {

@@ -1,0 +1,209 @@
+//! Profiles through points of height and radius, as a table or a ruler gives them.
+
+use super::{Profile, ProfileError, Span};
+
+/// A height and the radius there.
+type Point = (f32, f32);
+
+/// An end of a segment: its squared radius, and a third of what that would rise by over the segment's height at
+/// the slope that it has there.
+#[derive(Clone, Copy)]
+struct Side {
+    square: f32,
+    third: f32,
+}
+
+impl<const N: usize> Profile<N> {
+    /// A smooth profile through points of height and radius, from the lowest up. It has a segment between each two
+    /// of different heights, N at most.
+    ///
+    /// Between two points the radius only grows or only shrinks, as the points do: it never overshoots. A
+    /// point that stands twice is a corner. Two points at one height with different radii are a step. An end
+    /// that is no step is open; on the axis, at radius 0, it is round, and pointed if its point stands twice. Between
+    /// two corners with no point between lies a straight line.
+    ///
+    /// Points on a cone, a sphere or any other quadric give that quadric, if there are three or more of them
+    /// between corners, poles counted, and the segments at a pole are no higher than to the equator.
+    ///
+    /// ```
+    /// use embedded_lathe::{Lathe, Profile, Segment, valid};
+    ///
+    /// // A bottle: its base, from the axis out to the wall; the belly, an edge at the shoulder, the neck, its mouth.
+    /// static BOTTLE: Lathe<[Segment; 5]> = Lathe::turn(valid!(Profile::through(&[
+    ///     (0.0, 0.0), (0.0, 0.30), (0.1, 0.34), (0.5, 0.34), (0.7, 0.12), (0.7, 0.12), (0.9, 0.10), (1.0, 0.12),
+    /// ])));
+    /// // An egg: both ends on the axis, and round.
+    /// let egg = Profile::<3>::through(&[(0.0, 0.0), (0.5, 0.45), (0.9, 0.4), (1.4, 0.0)])?;
+    /// assert_eq!((egg.segments(), egg.largest_radius()), (3, 0.45));
+    /// # Ok::<(), embedded_lathe::ProfileError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`ProfileError::Radius`] names a point whose radius is negative, infinite or NaN; the others are those of
+    /// [`Profile::from_squared_radii`], with points that stand twice counted once among the knots.
+    pub const fn through(points: &[Point]) -> Result<Self, ProfileError> {
+        Self::join(points, false)
+    }
+
+    /// The same with straight lines between the points: every one of them is a corner.
+    ///
+    /// ```
+    /// use embedded_lathe::Profile;
+    ///
+    /// // A spinning top, pointed below, flat above.
+    /// let top = Profile::<2>::straight(&[(0.0, 0.0), (0.6, 0.5), (0.8, 0.1), (0.8, 0.0)])?;
+    /// # Ok::<(), embedded_lathe::ProfileError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`Profile::through`].
+    pub const fn straight(points: &[Point]) -> Result<Self, ProfileError> {
+        Self::join(points, true)
+    }
+
+    const fn join(points: &[Point], straight: bool) -> Result<Self, ProfileError> {
+        let (mut segments, mut i, mut knot) = (0, 0, 0);
+        while i < points.len() {
+            let (height, radius) = points[i];
+            if !(radius >= 0.0 && radius < f32::INFINITY) {
+                return Err(ProfileError::Radius { point: i, radius });
+            }
+            if !height.is_finite() {
+                return Err(ProfileError::KnotNotFinite { knot, height });
+            }
+            if i > 0 {
+                let before = points[i - 1].0;
+                if height < before {
+                    return Err(ProfileError::KnotsNotIncreasing { knot, before, height });
+                }
+                if height > before {
+                    segments += 1;
+                } else if i > 1
+                    && is_step(points, i - 1)
+                    && points[i - 2].0 == height
+                    && points[i - 1].1 != radius
+                {
+                    return Err(ProfileError::KnotThrice { knot, height });
+                }
+            }
+            knot += if i + 1 < points.len() && are_one(points, i) { 0 } else { 1 };
+            i += 1;
+        }
+        if segments == 0 {
+            return Err(ProfileError::NoSegments { knots: knot });
+        }
+        if segments > N {
+            return Err(ProfileError::TooManySegments { segments, capacity: N });
+        }
+        let mut spans = [Span::EMPTY; N];
+        let (mut i, mut len) = (0, 0);
+        while i + 1 < points.len() && len < N {
+            if points[i + 1].0 > points[i].0 {
+                let [low, high] = if straight { line(points, i) } else { smooth(points, i) };
+                let b = [low.square, low.square + low.third, high.square - high.third, high.square];
+                spans[len] = match Span::new(len, points[i].0, points[i + 1].0, b) {
+                    Ok(span) => span,
+                    Err(error) => return Err(error),
+                };
+                len += 1;
+            }
+            i += 1;
+        }
+        let (first, last) = (points[0].1, points[points.len() - 1].1);
+        Self::of(spans, len, first * first, last * last)
+    }
+}
+
+/// Whether a point and the next one, if there is one, are the same.
+const fn are_one(points: &[Point], i: usize) -> bool {
+    i + 1 < points.len() && points[i].0 == points[i + 1].0 && points[i].1 == points[i + 1].1
+}
+
+/// Whether a point stands above or below the one before it, at another radius.
+const fn is_step(points: &[Point], i: usize) -> bool {
+    i > 0 && points[i].0 == points[i - 1].0 && points[i].1 != points[i - 1].1
+}
+
+/// A straight line between a point and the next one: `r = r₀·(1 − u) + r₁·u`, squared.
+const fn line(points: &[Point], i: usize) -> [Side; 2] {
+    let (r0, r1) = (points[i].1, points[i + 1].1);
+    let two_thirds = 2.0 / 3.0 * (r1 - r0);
+    [Side { square: r0 * r0, third: two_thirds * r0 }, Side { square: r1 * r1, third: two_thirds * r1 }]
+}
+
+/// The segment between a point and the next one, its slopes those of Steffen's monotone interpolation of the
+/// squared radius (Astronomy and Astrophysics 239, 1990).
+const fn smooth(points: &[Point], i: usize) -> [Side; 2] {
+    // A corner, a step or an end is where no other segment continues this one.
+    let continues =
+        [i > 0 && points[i - 1].0 < points[i].0, i + 2 < points.len() && points[i + 1].0 < points[i + 2].0];
+    // An end on the axis that stands there once is round.
+    let round = [i == 0 && points[i].1 == 0.0, i + 2 == points.len() && points[i + 1].1 == 0.0];
+    if !continues[0] && !continues[1] && !round[0] && !round[1] {
+        return line(points, i);
+    }
+    let here = Rise::of(points, i);
+    let [low, high] = if continues[0] && continues[1] {
+        let (below, above) = (Rise::of(points, i - 1), Rise::of(points, i + 1));
+        [below.joined(here), here.joined(above)]
+    } else if continues[1] {
+        let above = Rise::of(points, i + 1);
+        [here.free(above, points[i].1 == 0.0, round[0]), here.joined(above)]
+    } else if continues[0] {
+        let below = Rise::of(points, i - 1);
+        [below.joined(here), here.free(below, points[i + 1].1 == 0.0, round[1])]
+    } else {
+        // One segment alone, with a round pole: a paraboloid.
+        [here.slope, here.slope]
+    };
+    let (r0, r1) = (points[i].1, points[i + 1].1);
+    [
+        Side { square: r0 * r0, third: low * here.height / 3.0 },
+        Side { square: r1 * r1, third: high * here.height / 3.0 },
+    ]
+}
+
+/// How the squared radius changes from a point to the next one.
+#[derive(Clone, Copy)]
+struct Rise {
+    height: f32,
+    slope: f32,
+}
+
+impl Rise {
+    const fn of(points: &[Point], i: usize) -> Self {
+        let ((z0, r0), (z1, r1)) = (points[i], points[i + 1]);
+        let height = z1 - z0;
+        Self { height, slope: (r1 - r0) * (r1 + r0) / height }
+    }
+
+    /// The slope at the point between this segment and the one above it: that of the parabola through their three
+    /// points, but no more than twice either segment's, and zero at a turn.
+    const fn joined(self, above: Self) -> f32 {
+        let whole = self.height + above.height;
+        let parabola = (self.slope * above.height + above.slope * self.height) / whole;
+        if !(self.slope * above.slope > 0.0) {
+            return 0.0;
+        }
+        let least = self.slope.abs().min(above.slope.abs()).min(0.5 * parabola.abs());
+        if self.slope > 0.0 { 2.0 * least } else { -2.0 * least }
+    }
+
+    /// The slope at the free end of this segment, where the other one continues it: that of the same parabola,
+    /// between zero and twice the segment's own. At a pole it is zero if that is pointed, and no less than the
+    /// segment's own if it is round.
+    const fn free(self, other: Self, pole: bool, round: bool) -> f32 {
+        let part = self.height / (self.height + other.height);
+        let parabola = self.slope * (1.0 + part) - other.slope * part;
+        let ratio = parabola / self.slope;
+        if round {
+            self.slope * ratio.max(1.0).min(2.0)
+        } else if pole || !(ratio > 0.0) {
+            0.0
+        } else {
+            self.slope * ratio.min(2.0)
+        }
+    }
+}

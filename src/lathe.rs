@@ -32,7 +32,7 @@ use crate::math::{cold_path, const_fn};
 use crate::profile::Profile;
 use crate::vector::{F32x3, largest, saturated, vector};
 use frame::{EndPlane, Frame, View};
-use segment::{larger, power_of_two_for, widened};
+use segment::{greater_or_nan, power_of_two_for, widened};
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
 ///
@@ -77,26 +77,27 @@ impl<const N: usize> Lathe<[Segment; N]> {
             segments[i] = Segment::new(&profile.spans[i], middle, scale);
             i += 1;
         }
-        let (mut steepest, mut curvature, mut bulge, mut kinks, mut steps) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        let (mut max_slope, mut curvature, mut convexity, mut slope_jumps, mut steps) =
+            (0.0, 0.0, 0.0, 0.0, 0.0);
         let mut i = 0;
         while i < len {
             if i + 1 < len {
                 segments[i] = segments[i].before(&segments[i + 1]);
                 steps += (segments[i + 1].b[0] - segments[i].b[3]).abs();
             }
-            bulge = larger(bulge, segments[i].bulge);
-            kinks += segments[i].kink;
-            steepest = larger(steepest, segments[i].steepest());
-            curvature = larger(curvature, segments[i].curvature());
+            convexity = greater_or_nan(convexity, segments[i].convexity);
+            slope_jumps += segments[i].slope_jump;
+            max_slope = greater_or_nan(max_slope, segments[i].max_slope());
+            curvature = greater_or_nan(curvature, segments[i].curvature());
             i += 1;
         }
         let (low, high) = (segments[0].low, segments[len - 1].high);
         // The middle is rounded.
         let half = high.max(-low);
-        let reach = widened(largest * scale * scale);
+        let bounding_square = widened(largest * scale * scale);
         let root_squash = const_fn::sqrt(profile.squash);
-        let size = const_fn::sqrt(reach + half * half);
-        let rounding = frame::ROUNDING * (2.0 + steepest);
+        let size = const_fn::sqrt(bounding_square + half * half);
+        let g_tolerance = frame::LENGTH_TOLERANCE * (2.0 + max_slope);
         let square = scale * scale;
         let base = EndPlane::new(segments[0].b[0], profile.below * square, Part::Base);
         let top = EndPlane::new(segments[len - 1].b[3], profile.above * square, Part::Top);
@@ -110,22 +111,22 @@ impl<const N: usize> Lathe<[Segment; N]> {
             middle,
             low,
             high,
-            reach,
+            bounding_square,
             size,
             half_height: half / scale,
-            radius: const_fn::sqrt(reach) / (scale * root_squash),
-            steepest,
+            radius: const_fn::sqrt(bounding_square) / (scale * root_squash),
+            max_slope,
             curvature,
-            bulge: larger(bulge, frame::LEAST_BULGE),
-            kinks: 0.5 * kinks,
+            convexity: greater_or_nan(convexity, frame::LEAST_CONVEXITY),
+            half_slope_jumps: 0.5 * slope_jumps,
             base,
             top,
             has_rings: steps > 0.0 || base.is_ring() || top.is_ring(),
             has_jumps: jumps > 0.0,
             stride: len.div_ceil(2).next_power_of_two(),
-            across: scale * root_squash,
-            rounding,
-            room: frame::ROOM * size + jumps / rounding,
+            moment_scale: scale * root_squash,
+            g_tolerance,
+            base_distance: frame::BASE_DISTANCE * size + jumps / g_tolerance,
         };
         Self { frame, segments }
     }
@@ -157,7 +158,7 @@ impl<S: ?Sized> Lathe<S> {
     /// √k.
     #[must_use]
     pub const fn largest_radius(&self) -> f32 {
-        const_fn::sqrt(self.frame.reach / widened(1.0)) / self.frame.scale
+        const_fn::sqrt(self.frame.bounding_square / widened(1.0)) / self.frame.scale
     }
 }
 
@@ -169,7 +170,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 
     /// With the spare room.
     #[inline(always)]
-    fn whole(&self) -> View<'_> {
+    fn view_with_spare(&self) -> View<'_> {
         View { frame: &self.frame, segments: self.segments.as_ref() }
     }
 

@@ -102,7 +102,7 @@
 //! | *tracked root* | the crossing of one pixel's ray carried on to the next by Newton's method |
 //! | *certificate* | why a tracked root is its ray's nearest, and for how many pixels |
 //! | *probe* | an upper bound of g along one ray, and the number of neighbours for which it proves a miss |
-//! | *slope jump* | by how much dF/dz rises at a knot (`kink` in names) |
+//! | *slope jump* | by how much dF/dz rises at a knot |
 //! | *single ray* | a ray cast for one pixel where the row is undecided |
 //! | *shade* | a step of a display's color channel |
 //!

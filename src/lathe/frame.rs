@@ -4,19 +4,19 @@ use super::segment::Segment;
 use crate::hit::Part;
 use crate::vector::{F32x3, vector};
 
-/// Doubt is this times `(2 + S)·(ROOM·size + |back|·(q + dz²))`, S the profile's steepest: sixteen units of 2⁻²⁴.
+/// Doubt is this times `(2 + S)·(BASE_DISTANCE·size + |back|·(q + dz²))`, S the profile's max_slope: sixteen units of 2⁻²⁴.
 ///
 /// Rounding puts the square of the distance from the axis off by 23·r² units at most, r the radius, and 4·|back|·√q; the
 /// squared radius by 10·r² + 4.5·S·size, and by S times what the height is off by, 9·size + 3·r·|dz|/√q + 11·|back·dz|.
 /// On an end's plane the former is off by what the height is, times |2·q·away/dz|, more: there doubt is 1 + |q·away/dz| times
 /// as large.
 /// Where K is below zero, |dz|/√q is below 8; where q is no less than 1/4, √q is at most 2·(q + dz²), |dz| at most q + dz².
-pub const ROUNDING: f32 = 16.0 / 16_777_216.0;
+pub const LENGTH_TOLERANCE: f32 = 16.0 / 16_777_216.0;
 /// How many times the solid's size.
-pub const ROOM: f32 = 2.5;
+pub const BASE_DISTANCE: f32 = 2.5;
 
-/// The least that `bulge` is taken for.
-pub const LEAST_BULGE: f32 = 1.0 / 64.0;
+/// The least that `convexity` is taken for.
+pub const LEAST_CONVEXITY: f32 = 1.0 / 64.0;
 
 /// What the segments of a lathe have in common.
 ///
@@ -37,19 +37,19 @@ pub(crate) struct Frame {
     pub low: f32,
     pub high: f32,
     /// The square of the bounding cylinder's radius, in the frame.
-    pub reach: f32,
+    pub bounding_square: f32,
     /// The radius of a ball around all of it.
     pub size: f32,
     /// Half its height, and the radius of a cylinder around it, infinite around a sheet, in object space.
     pub half_height: f32,
     pub radius: f32,
     /// Bounds on the first derivative of the squared radius by height, and on half the second.
-    pub steepest: f32,
+    pub max_slope: f32,
     pub curvature: f32,
-    /// Half the largest second derivative, or `LEAST_BULGE` if that is more, and half the sum of all jumps upwards of the
+    /// Half the largest second derivative, or `LEAST_CONVEXITY` if that is more, and half the sum of all jumps upwards of the
     /// first, at joins.
-    pub bulge: f32,
-    pub kinks: f32,
+    pub convexity: f32,
+    pub half_slope_jumps: f32,
     /// The lower end's plane, and the upper one's.
     pub base: EndPlane,
     pub top: EndPlane,
@@ -60,10 +60,10 @@ pub(crate) struct Frame {
     /// A power of two, no less than half of `len`: the first step of a search.
     pub stride: usize,
     /// √k·scale: a ray's moment about the axis, in object space, times this is that in the frame.
-    pub across: f32,
+    pub moment_scale: f32,
     /// What rounding can do to g at a unit's distance, and how much more doubt there is at least: see `glance.rs`.
-    pub rounding: f32,
-    pub room: f32,
+    pub g_tolerance: f32,
+    pub base_distance: f32,
 }
 
 /// The plane of an end, in the frame.

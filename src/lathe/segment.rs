@@ -24,12 +24,12 @@ pub struct Segment {
     /// The height at which the segment is narrowest.
     pub(super) narrowest: f32,
     /// The squared radius of the bounding cylinder: the segment's largest squared radius, [`widened`].
-    pub(super) reach: f32,
+    pub(super) bounding_square: f32,
     /// An upper bound of half the second derivative of the squared radius by height; negative if that is.
-    pub(super) bulge: f32,
+    pub(super) convexity: f32,
     /// The slope jump at the upper end: by how much the first derivative by height is larger where the next
     /// segment begins than where this one ends, or zero if it is not larger.
-    pub(super) kink: f32,
+    pub(super) slope_jump: f32,
     /// `[3·b1, 3·b2]`, for [`Segment::about`].
     inner: [f32; 2],
     /// `[f1/2, 3·f3/2]`, for [`Segment::about`].
@@ -38,7 +38,7 @@ pub struct Segment {
 
 /// The larger of two numbers, and NaN if `a` or `b` is. A segment whose height vanishes in the frame has
 /// bounds of 0·∞ = NaN; the lathe's bounds, folded from them, are then NaN, too, and certify nothing.
-pub(super) const fn larger(a: f32, b: f32) -> f32 {
+pub(super) const fn greater_or_nan(a: f32, b: f32) -> f32 {
     if a > b || a.is_nan() { a } else { b }
 }
 
@@ -46,10 +46,10 @@ pub(super) const fn larger(a: f32, b: f32) -> f32 {
 /// the solid, and a point computed to be on it is outside, however rounded.
 ///
 /// 2⁻⁹ is 2¹⁵ units of 2⁻²⁴. Rounding takes 33 units of r² near the lathe's largest radius (see
-/// [`frame::ROUNDING`](super::frame::ROUNDING)), a thousandth of that. The rest is for the distance D of the
-/// ray's origin, which takes 4·D: enough up to 2¹³ − 8 radii. Farther away, and for segments that are
-/// narrower by that factor, a ray that is passed over in error is one that passes the silhouette within
-/// rounding.
+/// [`frame::LENGTH_TOLERANCE`](super::frame::LENGTH_TOLERANCE)), a thousandth of that. The rest is for the
+/// distance D of the ray's origin, which takes 4·D: enough up to 2¹³ − 8 radii. Farther away, and for
+/// segments that are narrower by that factor, a ray that is passed over in error is one that passes the
+/// silhouette within rounding.
 pub(super) const fn widened(square: f32) -> f32 {
     square * (1.0 + 1.0 / 512.0)
 }
@@ -69,9 +69,9 @@ impl Segment {
         f: [0.0; 4],
         b: [0.0; 4],
         narrowest: 0.0,
-        reach: 0.0,
-        bulge: 0.0,
-        kink: 0.0,
+        bounding_square: 0.0,
+        convexity: 0.0,
+        slope_jump: 0.0,
         inner: [0.0; 2],
         half: [0.0; 2],
     };
@@ -93,10 +93,10 @@ impl Segment {
             f,
             b,
             narrowest: low + span.narrowest * (high - low),
-            reach: widened(span.largest * square),
+            bounding_square: widened(span.largest * square),
             // The second derivative of a cubic is linear, and so largest at an end.
-            bulge: larger(c2, c2 + 3.0 * c3) * per_height * per_height,
-            kink: 0.0,
+            convexity: greater_or_nan(c2, c2 + 3.0 * c3) * per_height * per_height,
+            slope_jump: 0.0,
             inner: [3.0 * b[1], 3.0 * b[2]],
             half: [0.5 * f[1], 1.5 * f[3]],
         }
@@ -105,13 +105,13 @@ impl Segment {
     /// The largest magnitude of half the second derivative by height. NaN for a segment of no height.
     pub(super) const fn curvature(&self) -> f32 {
         let [_, _, c2, c3] = self.f;
-        larger(c2.abs(), (c2 + 3.0 * c3).abs()) * self.per_height * self.per_height
+        greater_or_nan(c2.abs(), (c2 + 3.0 * c3).abs()) * self.per_height * self.per_height
     }
 
     /// An upper bound of the magnitude of the first derivative by height. That derivative is 3/h times a
     /// weighted mean of the differences of neighbouring ordinates. NaN or infinite for a segment of no
     /// height.
-    pub(super) const fn steepest(&self) -> f32 {
+    pub(super) const fn max_slope(&self) -> f32 {
         let [b0, b1, b2, b3] = self.b;
         3.0 * (b1 - b0).abs().max((b2 - b1).abs()).max((b3 - b2).abs()) * self.per_height
     }
@@ -121,7 +121,7 @@ impl Segment {
         let jump =
             3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height;
         // NaN stays NaN.
-        Self { kink: if jump <= 0.0 { 0.0 } else { jump }, ..self }
+        Self { slope_jump: if jump <= 0.0 { 0.0 } else { jump }, ..self }
     }
 
     /// The squared radius at the upper end, or at the lower: the same bits as the neighbour has there.

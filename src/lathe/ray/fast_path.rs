@@ -49,7 +49,7 @@ pub(super) enum Decision {
 }
 
 /// The q above which a ray is flat enough: with q ≥ 1/4, √q ≤ 2·q and |dz| ≤ q + dz², as the tolerance needs
-/// (see [`ROUNDING`](crate::lathe::frame::ROUNDING)).
+/// (see [`LENGTH_TOLERANCE`](crate::lathe::frame::LENGTH_TOLERANCE)).
 const FLAT: f32 = 0.25;
 
 /// The most steps of Newton's method. From the root of the parabola, which is off by the cubic term only,
@@ -96,7 +96,7 @@ impl Slopes<'_> {
     /// J/2.
     #[inline(always)]
     fn half_jump(&self) -> f32 {
-        (self.frame.kinks * self.dz).abs()
+        (self.frame.half_slope_jumps * self.dz).abs()
     }
 }
 
@@ -220,20 +220,20 @@ impl View<'_> {
         let (o, d) = (ray.origin, ray.direction);
         // Reject.
         let q = d.x * frame.squash * d.x + d.y * d.y;
-        let moment = (o.x * d.y - o.y * d.x) * frame.across;
+        let moment = (o.x * d.y - o.y * d.x) * frame.moment_scale;
         let moment_squared = moment * moment;
-        if moment_squared > frame.reach * q {
+        if moment_squared > frame.bounding_square * q {
             return Decision::Miss;
         }
         let rise = d.z * d.z;
-        let slopes = Slopes { frame, dz: d.z, q, convexity: frame.bulge * rise };
+        let slopes = Slopes { frame, dz: d.z, q, convexity: frame.convexity * rise };
         if !(q > greater(slopes.convexity, FLAT)) {
             return Decision::Undecided;
         }
 
         // Place.
         let mut place = Place::nearest_to_axis(&slopes, ray, moment_squared);
-        let mut tolerance = frame.rounding * (frame.room + place.back.abs() * (q + rise));
+        let mut tolerance = frame.g_tolerance * (frame.base_distance + place.back.abs() * (q + rise));
         let end = lesser(frame.high, greater(frame.low, place.z));
         if end != place.z {
             cold_path();
@@ -243,7 +243,7 @@ impl View<'_> {
             tolerance *= 1.0 + (place.half_slope / d.z).abs();
             // Farther from the axis the solid lies on one side of the plane only, and the ray there is
             // farther still.
-            if place.square > frame.reach + tolerance {
+            if place.square > frame.bounding_square + tolerance {
                 return Decision::Miss;
             }
         }

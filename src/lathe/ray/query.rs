@@ -18,7 +18,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
     /// least 3·N + (N + 1) = 4·N + 1, which is checked at compile time, and cannot overflow.
     #[must_use]
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        match self.whole().fast_path(ray, t_min) {
+        match self.view_with_spare().fast_path(ray, t_min) {
             Decision::Miss => Vec::new(),
             Decision::Hit(nearest) => self.hits_on::<Newton, C>(ray, t_min, Some(nearest)),
             Decision::Undecided => self.hits_on::<Newton, C>(ray, t_min, None),
@@ -67,17 +67,17 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[inline(never)]
     #[must_use]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        match self.whole().fast_path(ray, t_min) {
+        match self.view_with_spare().fast_path(ray, t_min) {
             Decision::Miss => None,
             Decision::Hit(hit) => Some(hit),
-            Decision::Undecided => self.walked(ray, t_min),
+            Decision::Undecided => self.traversed(ray, t_min),
         }
     }
 
     /// The nearest crossing of a ray that a glance does not tell. Apart, since it is rare.
     #[cold]
     #[inline(never)]
-    fn walked(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
+    fn traversed(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         self.nearest_by::<Newton>(ray, t_min)
     }
 

@@ -31,10 +31,10 @@ impl Interval {
     /// NaN, which `lesser` and `greater` pass over: neither ray is a special case.
     #[inline(always)]
     fn new<M: Math>(frame: &Frame, ray: &LocalRay, t_min: f32) -> Option<Self> {
-        if ray.square > frame.reach {
+        if ray.square > frame.bounding_square {
             return None;
         }
-        let half = M::sqrt((frame.reach - ray.square) / ray.q) + NEAREST_ERROR * ray.nearest.abs();
+        let half = M::sqrt((frame.bounding_square - ray.square) / ray.q) + NEAREST_ERROR * ray.nearest.abs();
         let (bottom, top) = ray.slab(frame.low, frame.high);
         let first = t_min * ray.unit - ray.shift;
         let inner = greater(first, bottom);
@@ -100,7 +100,7 @@ pub(super) fn traverse<S: Solver, B>(
         let segment = segment?;
         let plane = ray.plane(if up { segment.high } else { segment.low });
         let (end, is_to_plane) = (lesser(interval.to, plane), plane <= interval.to);
-        let is_near = ray.around(ray.closest(at, end)).0 <= segment.reach;
+        let is_near = ray.around(ray.closest(at, end)).0 <= segment.bounding_square;
         square = ray.around(end).0;
         // A ray that is inside at the beginning of a chord that is not near has left the solid there, by less than rounding.
         if is_near || inside {

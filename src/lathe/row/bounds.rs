@@ -2,7 +2,7 @@
 //! which pixel to begin.
 
 use super::ray_row::RayRow;
-use crate::lathe::frame::{ROUNDING, View};
+use crate::lathe::frame::{LENGTH_TOLERANCE, View};
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::vector::{F32x3, cross, dot, dot_xy, one_norm, vector};
@@ -74,7 +74,7 @@ pub(super) struct RowBounds<'a> {
     pub steep: f32,
     /// The least q/dz²: where half the profile's second derivative is no more than this, g is concave along
     /// every ray.
-    pub bulge: f32,
+    pub max_convexity: f32,
     /// Whether all rays rise, or all fall. `None` if there are some of both, or no roots are tracked.
     pub rising: Option<bool>,
     /// The largest |∂z/∂i| within the span, over four spans: how fast the height of a point of given s
@@ -124,8 +124,8 @@ impl<'a> RowBounds<'a> {
         let span = (across / length + frame.size) / length;
         let distance = shift.abs() * length + frame.size + rough;
         // What rounding can do to a place, and to g: four times what it was seen to do.
-        let slip = ROUNDING * distance;
-        let rounding = frame.rounding * distance;
+        let slip = LENGTH_TOLERANCE * distance;
+        let rounding = frame.g_tolerance * distance;
         let tolerance = TOLERANCE + rounding;
         // Where one of the rays is within the ball, the one half way is within a larger one, by how far they
         // are apart.
@@ -142,7 +142,7 @@ impl<'a> RowBounds<'a> {
             && shift > span + slip
             && tolerance < MOST_TOLERANCE;
 
-        let Plane { height, slope } = Plane::of(rays, frame.reach + tolerance);
+        let Plane { height, slope } = Plane::of(rays, frame.bounding_square + tolerance);
         let slope = slope + slip;
         let (low, high) = (greater(frame.low, height - slope), lesser(frame.high, height + slope));
         let is_culled = is_outside_ball || is_usable && low > high;
@@ -150,7 +150,7 @@ impl<'a> RowBounds<'a> {
             // Pixels as far from the middle on either side see the same g at the same s, but for an eighth of
             // the rounding; the same heights, which count at the solid's ends; and the plane between them
             // passes the axis as near.
-            let asymmetry = 8.0 * asymmetry(rays, span, drift * (1.0 + frame.steepest));
+            let asymmetry = 8.0 * asymmetry(rays, span, drift * (1.0 + frame.max_slope));
             frame.squash == 1.0
                 && (part.end - part.start).is_multiple_of(2)
                 && half * asymmetry < rounding
@@ -186,7 +186,7 @@ impl<'a> RowBounds<'a> {
             low,
             high,
             steep,
-            bulge: q / (steep * steep),
+            max_convexity: q / (steep * steep),
             rising: has_one_side.then_some(d.z > 0.0),
             drift: drift / (SPANS * span),
             tolerance,

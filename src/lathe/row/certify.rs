@@ -3,7 +3,7 @@
 //! Most often an entering root's own slope says so. Let A = dg/ds there, J the sum of the *slope jumps* at the
 //! knots that the ray may have passed before, times |dz|, and `g″ ≤ 2K` between knots. Then x before the root
 //!
-//! `g ≤ −(A − J)·x + K·x²`, K = bulge·dz² − q, J = kinks·|dz|.
+//! `g ≤ −(A − J)·x + K·x²`, K = convexity·dz² − q, J = slope_jumps·|dz|.
 //!
 //! That is negative where `K ≤ 0 < A − J`: one comparison a pixel, as far back as one segment after another
 //! has K ≤ 0. Before a root that leaves, through as many segments, g is concave, and so positive if it is
@@ -47,7 +47,7 @@ struct Concave<'a> {
     /// The one that the ray meets first.
     first: &'a Segment,
     /// The sum of the slope jumps between them.
-    kinks: f32,
+    slope_jumps: f32,
     /// Whether the ray meets no other segment before.
     is_all: bool,
 }
@@ -58,10 +58,10 @@ impl Sweep<'_> {
     pub(super) fn certify(&self, i: u32) -> Certification {
         let (bounds, root) = (&self.bounds, &self.root);
         let (segment, enters) = (root.segment, root.sign > 0.0);
-        let is_concave = segment.bulge <= bounds.bulge;
+        let is_concave = segment.convexity <= bounds.max_convexity;
         let [_, _, _, f3] = segment.f;
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
-        let mut passed = Concave { first: segment, kinks: 0.0, is_all: false };
+        let mut passed = Concave { first: segment, slope_jumps: 0.0, is_all: false };
         if let Some(is_rising) = bounds.rising {
             // g curves the right way all the way back.
             if (f3 > 0.0) != (is_rising == enters) {
@@ -78,7 +78,7 @@ impl Sweep<'_> {
         };
         match before {
             Before::Clear { until } => {
-                let slope = (passed.kinks + bump * segment.per_height) * bounds.steep + bounds.slack;
+                let slope = (passed.slope_jumps + bump * segment.per_height) * bounds.steep + bounds.slack;
                 Certification::Nearest(Certificate { slope, bump, until })
             }
             Before::MayMeet(start) => Certification::Another(start),
@@ -92,20 +92,20 @@ impl Sweep<'_> {
     #[inline(always)]
     fn concave(&self, is_rising: bool) -> Concave<'_> {
         let bounds = &self.bounds;
-        let (mut first, mut index, mut kinks) = (self.root.segment, self.root.index, 0.0);
+        let (mut first, mut index, mut slope_jumps) = (self.root.segment, self.root.index, 0.0);
         loop {
             let is_all = if is_rising { first.low <= bounds.low } else { first.high >= bounds.high };
             index = if is_rising { index.wrapping_sub(1) } else { index + 1 };
             let Some(next) = bounds.lathe.segments.get(index).filter(|_| !is_all) else {
-                return Concave { first, kinks, is_all };
+                return Concave { first, slope_jumps, is_all };
             };
-            let with_next = kinks + if is_rising { next.kink } else { first.kink };
-            if !(next.bulge <= bounds.bulge
+            let with_next = slope_jumps + if is_rising { next.slope_jump } else { first.slope_jump };
+            if !(next.convexity <= bounds.max_convexity
                 && with_next * bounds.steep * bounds.span < 0.25 * bounds.tolerance)
             {
-                return Concave { first, kinks, is_all };
+                return Concave { first, slope_jumps, is_all };
             }
-            (kinks, first) = (with_next, next);
+            (slope_jumps, first) = (with_next, next);
         }
     }
 
@@ -126,7 +126,7 @@ impl Sweep<'_> {
         let far = lesser(far, path.slab(segment.low, segment.high).0);
         // The point where the segment begins is bounded, too, even if the interval begins behind it: unless
         // the slope says enough of the segment by itself, its proof needs the sign of g at that point.
-        let by_slope = sign > 0.0 && root.segment.bulge <= bounds.bulge;
+        let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
         let UpperBound { g, start } = self.upper_bound(&path, sign, before);
         if g < -bounds.tolerance {

@@ -77,7 +77,7 @@ impl Sweep<'_> {
             let to = lesser(far, to);
             let at = path.closest(from, to);
             // The segment's cylinder bounds g, too, and most often says enough.
-            let mut most_here = segment.reach - path.around(at).0;
+            let mut most_here = segment.bounding_square - path.around(at).0;
             if sign < 0.0 || most_here > bound.g && !(most_here < -tolerance) {
                 let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
                 most_here = g.max_on(at - from, to - at);

@@ -1,60 +1,67 @@
 //! Whether a tracked root is its ray's nearest: whether g keeps its sign all along the ray before it.
 //!
-//! Most often an entering root's own slope says so. Let A = dg/ds there, J the sum of the *slope jumps* at the
-//! knots that the ray may have passed before, times |dz|, and `g″ ≤ 2K` between knots. Then x before the root
+//! Where the ray enters the solid at the root, the slope of g there most often proves it. Let A = dg/ds be
+//! that slope, and J the sum of the *slope jumps* at the knots that the ray may have passed before, times
+//! |dz|. Between knots `g″ ≤ 2K`, with `K = convexity·dz² − q` of the segment. Then, at a distance p before the
+//! root,
 //!
-//! `g ≤ −(A − J)·x + K·x²`, K = convexity·dz² − q, J = slope_jumps·|dz|.
+//! `g ≤ −(A − J)·p + K·p²`,
 //!
-//! That is negative where `K ≤ 0 < A − J`: one comparison a pixel, as far back as one segment after another
-//! has K ≤ 0. Before a root that leaves, through as many segments, g is concave, and so positive if it is
-//! where they begin.
+//! which is negative if `K ≤ 0 < A − J`. So one comparison a pixel certifies the root, as far back along the
+//! ray as all segments have K ≤ 0. Where the ray leaves the solid at the root, g is concave through the same
+//! segments, and so it is positive in them if it is positive where the ray comes into the first of them.
 //!
-//! That ends at a segment with K > 0, or at a slope jump that is more than rounding. There an upper bound
-//! from the ray's cubics certifies that g keeps its sign before, and for how many pixels more.
+//! These proofs reach back to a segment with K > 0, or to a slope jump that is more than rounding. For the
+//! part of the ray before, an upper bound from its cubics certifies that g keeps its sign, and for how many
+//! pixels.
 //!
-//! In a root's own segment, whatever its K, g keeps its sign if it has it where the ray comes in, and, going
-//! back from the root, does not curve the wrong way first and the right way then, which the sign of F‴·dz
-//! decides. Where it may, the slope must be more than `|F‴/6|·h²·|dz|`, h the segment's height; where it is
-//! not, the segment's cubic is asked, pixel by pixel.
+//! In the root's own segment K may be positive. There g is a cubic in s, and one of its factors is the
+//! distance p. The other factor, times −1 before a root that enters, is a quadratic B: it is A at the root,
+//! and it is positive where the ray comes into the segment, since g has its sign there. If B is concave, it
+//! is positive between; the sign of F‴·dz decides whether it is. If B is convex, with `c = |F‴/6|·|dz|³` for
+//! the coefficient of p², it is nowhere less than `(1 − p/P)·(A − c·p·P)`, where P is the distance to where
+//! the ray comes in, `h/|dz|` at most, and h the segment's height. So it is positive if `A > |F‴/6|·h²·|dz|`.
+//! Where A is less, [`Sweep::is_nearest_by_cubic`] decides, pixel by pixel.
 
 use super::skip::UpperBound;
 use super::sweep::{Certificate, RootStart, Sweep};
 use crate::lathe::segment::Segment;
 use crate::math::minmax::lesser;
 
-/// What is found of a root that is tracked.
+/// What is known of the tracked root.
 pub(super) enum Certification {
-    /// It is the nearest, for this reason.
+    /// The tracked root is the nearest, for this reason.
     Nearest(Certificate),
-    /// It may not be: one may lie here. It may be nearer, or, past a rim, just behind.
+    /// Another root may lie here: nearer than the tracked one, or, where the ray passes a rim, just behind
+    /// it.
     Another(RootStart),
-    /// Neither is known.
+    /// Neither is certain.
     Undecided,
 }
 
 /// The part of a ray before a root's segment.
 enum Before {
-    /// g keeps its sign there, for all pixels before this one.
+    /// g keeps its sign in that part, for all pixels from the one asked for to before `until`.
     Clear { until: u32 },
-    /// A root may lie there.
+    /// Another root may lie here.
     MayMeet(RootStart),
-    /// Neither is known.
+    /// Neither is certain.
     Undecided,
 }
 
-/// The segments through which the slope alone certifies a root, from the root's own back along the ray.
+/// The segments, from the root's own back along the ray, through which g is concave but for slope jumps.
 struct Concave<'a> {
-    /// The one that the ray meets first.
+    /// The segment of them that the ray meets first.
     first: &'a Segment,
-    /// The sum of the slope jumps between them.
+    /// The sum of the slope jumps between the segments.
     slope_jumps: f32,
-    /// Whether the ray meets no other segment before.
+    /// Whether the ray meets no other segment before `first`.
     is_all: bool,
 }
 
 impl Sweep<'_> {
-    /// Decides whether the root in the tracked segment is the nearest on the i-th ray and those that follow
-    /// it.
+    /// Decides whether the tracked root, if one lies in the segment where it is looked for, is the nearest on
+    /// the i-th ray, and for how many of the next rays.
     pub(super) fn certify(&self, i: u32) -> Certification {
         let (bounds, root) = (&self.bounds, &self.root);
         let (segment, enters) = (root.segment, root.sign > 0.0);
@@ -63,7 +70,7 @@ impl Sweep<'_> {
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
         let mut passed = Concave { first: segment, slope_jumps: 0.0, is_all: false };
         if let Some(is_rising) = bounds.rising {
-            // g curves the right way all the way back.
+            // B, see the top of this file, is concave.
             if (f3 > 0.0) != (is_rising == enters) {
                 bump = 0.0;
             }
@@ -87,8 +94,8 @@ impl Sweep<'_> {
     }
 
     /// The segments, from the root's own back, through which g is concave along every ray of the row, but for
-    /// slope jumps that raise it by less than a quarter of the tolerance. (A quarter, since rounding has
-    /// another: the tolerance is four times what it was seen to do.) All rays rise, or all fall.
+    /// slope jumps. Together these raise g by less than a quarter of the tolerance: rounding takes another
+    /// quarter at most. `is_rising`: whether all rays of the row rise; if not, all of them fall.
     #[inline(always)]
     fn concave(&self, is_rising: bool) -> Concave<'_> {
         let bounds = &self.bounds;
@@ -109,8 +116,9 @@ impl Sweep<'_> {
         }
     }
 
-    /// Whether g keeps its sign, below zero before a root that enters, above before one that leaves, until
-    /// the i-th ray comes to a segment; and for how many pixels it still does.
+    /// Whether g keeps its sign along the part of the i-th ray before it comes into `segment`, and for how
+    /// many of the next rays as well. g is to be negative if the ray enters the solid at the tracked root,
+    /// positive if it leaves it.
     #[inline(always)]
     fn before(&self, i: u32, segment: &Segment) -> Before {
         let (bounds, root) = (&self.bounds, &self.root);
@@ -118,14 +126,15 @@ impl Sweep<'_> {
         let (path, sign) = (self.path(ray), root.sign);
         let frame = bounds.lathe.frame;
         let end = if path.rises() { &frame.base } else { &frame.top };
-        // A root that leaves is seen through an open end: through a cap the ray would have entered.
+        // A ray that leaves the solid at the root it sees has come in through an open end: at a cap it would
+        // have entered.
         if sign < 0.0 && end.part.is_some() {
             return Before::Undecided;
         }
         let (near, far) = self.interval(&path);
         let far = lesser(far, path.slab(segment.low, segment.high).0);
-        // The point where the segment begins is bounded, too, even if the interval begins behind it: unless
-        // the slope says enough of the segment by itself, its proof needs the sign of g at that point.
+        // The proofs for the root's own segment need the sign of g where the ray comes into it, unless the
+        // slope suffices. So g is bounded at that point in any case, even where it lies before `near`.
         let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
         let UpperBound { g, start } = self.upper_bound(&path, sign, before);
@@ -136,23 +145,30 @@ impl Sweep<'_> {
         if g < bounds.tolerance {
             return Before::Undecided;
         }
-        // What crosses before the bound's sign is turned round crosses the other way in g. With no start
-        // known, it is just behind the rim of the end, in the root's own segment, and crosses as the tracked
-        // root does not.
+        // `start.sign` is that of a crossing of `sign·g`; times `sign` it is that of g. If no start is known,
+        // g has the wrong sign already where the ray comes in, just past a rim: then another root may lie
+        // close behind that, in the root's own segment, where g crosses zero the other way than at the
+        // tracked root.
         let RootStart { index, s, sign: crosses } =
             start.unwrap_or(RootStart { index: root.index, s: far, sign: -1.0 });
         Before::MayMeet(RootStart { index, s, sign: sign * crosses })
     }
 
-    /// Whether g keeps its sign from where a ray comes into the tracked root's segment as far as the root, by
-    /// the segment's cubic. In: the root's u; the slope of g at the point as far beyond the root as Newton's
-    /// last step, `back`, went back; the ray's q; and its dz in units of u.
+    /// Whether g keeps its sign between the point where a ray comes into the tracked root's segment and the
+    /// root: true if that is certain. The certificate must hold for the ray, so that g has its sign at the
+    /// point.
     ///
-    /// With κ = |du/ds|, A the slope at the root, and y the way back from it in u,
+    /// `u` is the root's. `slope` is dg/ds at the point where Newton's last step began, `back` beyond the
+    /// root, along the ray, or, for a root that leaves, along the ray reversed. `q` is the ray's, and `dz`
+    /// its change of u per s.
     ///
-    /// `κ²·g = −y·B(y)`, `B = A·κ − c₂·y + c₃·y²`,
+    /// Let κ = |dz|, A the slope at the root, and w the distance in u from the root back along the ray. Then
     ///
-    /// and B has no zero if its discriminant is negative.
+    /// `sign·κ²·g = −w·B(w)`, `B = A·κ − c₂·w + c₃·w²`, `c₂ = sign·g″/2`, `|c₃| = |f3|·κ²`.
+    ///
+    /// B is positive at the root and where the ray comes in. So it is positive between if c₃ ≤ 0; and if c₃ >
+    /// 0, where c₂ < 0 or the discriminant of B is negative. If the sign of c₃ is not known, it is
+    /// taken for positive.
     #[cold]
     #[inline(never)]
     pub(super) fn is_nearest_by_cubic(&self, u: f32, slope: f32, back: f32, q: f32, dz: f32) -> bool {

@@ -1,4 +1,4 @@
-//! What a ray sees where it meets the surface.
+//! What a ray sees where it meets the surface: a normal.
 
 use crate::lathe::segment::Segment;
 use crate::math::rsqrt;
@@ -7,37 +7,38 @@ use crate::vector::{F32x3, Vector, vector};
 /// A visible sample of the surface.
 #[derive(Clone, Copy)]
 pub(crate) struct Seen {
-    /// A vector along the normal of the side that is seen, in object space, of any length.
+    /// A vector of any length along the surface normal, on the side that is seen, in object space.
     pub gradient: F32x3,
-    /// One over its length.
+    /// One over the length of `gradient`.
     pub per_length: f32,
 }
 
 impl Seen {
-    /// The sample whose normal lies along a vector, whose square must be a normal number.
+    /// The sample whose normal points along `gradient`. The square of that must be a normal number: positive,
+    /// and neither subnormal nor infinite.
     #[inline(always)]
     pub fn new(gradient: F32x3) -> Self {
         Self { gradient, per_length: rsqrt(gradient.dot(gradient)) }
     }
 
-    /// A cap, whose normal is that of the upper end (1) or of the lower one (−1).
+    /// The sample of a cap: its normal points up if `up` is 1, at the upper end, and down if it is −1.
     #[inline(always)]
     pub fn cap(up: f32) -> Self {
         Self { gradient: vector([0.0, 0.0, up]), per_length: 1.0 }
     }
 }
 
-/// The normals of a segment's wall, at points of a tracked root.
+/// What the normals of a segment's wall are computed from, at the points of a tracked root.
 pub(super) struct Wall {
-    /// The sign of the root's crossing, times √k.
+    /// √k times the root's sign.
     root_squash: f32,
-    /// The powers of u in −½·dF/dz, times the sign.
+    /// The coefficients of −½·dF/dz times the root's sign, in powers of u, constant term first.
     e: [f32; 3],
 }
 
 impl Wall {
-    /// The wall of a segment, as a root that enters (sign 1) or leaves the solid (−1) sees it. `root_squash`
-    /// is √k.
+    /// The wall of a segment, seen from outside at a root where rays enter the solid (`sign` is 1), from
+    /// inside at one where they leave it (−1). `root_squash` is √k.
     #[inline(always)]
     pub fn new(segment: &Segment, sign: f32, root_squash: f32) -> Self {
         let Segment { per_height, f: [_, c1, c2, c3], .. } = *segment;
@@ -45,12 +46,12 @@ impl Wall {
         Self { root_squash: sign * root_squash, e: [along * c1, along * 2.0 * c2, along * 3.0 * c3] }
     }
 
-    /// What is seen at a point of the frame with coordinates x (scaled by √k) and `sign·y`, u its parameter
-    /// in the segment.
+    /// What is seen at a point of the wall, given its x, scaled by √k, its y times the root's sign, and its
+    /// parameter u in the segment.
     ///
-    /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`; √k·x of it comes from the
-    /// frame's x. A root that leaves sees the other side: its gradient has the opposite sign, which the given
-    /// y has already.
+    /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`, of which √k·x is the given
+    /// x. It points outwards. From inside the other side of the wall is seen, so that the sign changes: in
+    /// `root_squash` and `e` here, and in y before.
     #[inline(always)]
     pub fn seen(&self, x: f32, signed_y: f32, u: f32) -> Seen {
         let [e0, e1, e2] = self.e;

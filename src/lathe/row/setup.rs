@@ -7,9 +7,10 @@ use crate::lathe::Lathe;
 use crate::lathe::segment::Segment;
 
 impl Lathe {
-    /// Sets up the traversal of a part of a row of rays in object space, of which column 0 is counted as 0. A
-    /// distance t along a ray is `unit·t` times its direction. `rough` is the size of the numbers as which
-    /// the rays' origins were rounded, each by itself, or zero if all rays have one origin.
+    /// Sets up the traversal of a part of a row of rays, at its right half. The rays are given in object
+    /// space; pixel i of `rays` is column i of the row. The point of a ray at distance t is its origin plus
+    /// `unit·t` times its direction. `rough` bounds the sum of the coordinates, in units of t, to which the
+    /// origins of the rays were rounded one by one; it is zero if all rays have the same origin.
     #[inline(always)]
     pub(crate) fn sweep(&self, rays: &RayRow, unit: f32, rough: f32, part: &RowPart) -> Sweep<'_> {
         let lathe = self.view();
@@ -20,8 +21,8 @@ impl Lathe {
             direction: frame.squashed(rays.direction),
             direction_step: frame.squashed(rays.direction_step),
         };
-        // About the whole row's center first, whatever part is asked for: so a far eye's distance is rounded
-        // in the same way for all parts. Then about the part's own.
+        // The rays are counted from the whole row's center first, whatever part is asked for, so that the
+        // distance of a far eye is rounded in the same way for all parts. Then from the part's own center.
         let center = part.center();
         let row_center = 0.5 * part.width as f32 - 0.5;
         let (rays, row_shift) = rays.about(row_center);

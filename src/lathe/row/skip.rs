@@ -9,35 +9,37 @@ use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::vector::{F32x3, dot_xy};
 
-/// By what part of itself dz may fall within those pixels: to 7/8. A choice as well: it keeps `n/(1 − n·ε)`,
-/// see [`Sweep::certified_run`], near n.
+/// By what part of itself |dz| may fall, at most, within the pixels that one probe certifies: to 7/8.
+///
+/// The value is a choice: it keeps `n/(1 − n·ε)`, see [`Sweep::certified_run`], near n.
 const FALL: f32 = 1.0 / 8.0;
 
-/// What a probe of one ray says.
+/// What a probe finds of one ray.
 pub(super) enum Probe {
-    /// It misses, and so do its neighbours up to pixel `to`.
+    /// The ray misses the solid, and so do those of the next pixels, to before pixel `to`.
     Misses { to: u32 },
-    /// It may meet the solid: there, if that is known.
+    /// The ray may meet the solid: near this place, if one is known.
     MayMeet(Option<RootStart>),
 }
 
 /// An upper bound of sign·g along a ray.
 pub(super) struct UpperBound {
-    /// The bound, over the part of the ray in front of `start`'s segment if there is a start, else over all
-    /// of it.
+    /// The bound. It holds for the part asked for, or, if there is a start, to the end of its segment.
     pub g: f32,
-    /// In the first segment where sign·g may come to the tolerance below zero, about where it comes to zero:
-    /// its sign is 1 if it does so from below, −1 from above.
+    /// About where sign·g crosses zero, in the first segment where it may come to within the tolerance of
+    /// zero and such a place is found. The start's own sign is 1 where sign·g rises through zero along the
+    /// ray, −1 where it falls. `None` if there is no such segment.
     pub start: Option<RootStart>,
 }
 
 impl Sweep<'_> {
-    /// Decides by the cubics of the segments whether the i-th ray clearly misses.
+    /// Decides by the segments' cubics whether the i-th ray misses the solid by more than the tolerance, and
+    /// how many of the next rays do.
     pub(super) fn probe(&self, i: u32) -> Probe {
         let bounds = &self.bounds;
         let ray = self.ray(i);
         let path = self.path(ray);
-        // Level with an end's plane the ray may meet the rim, where g has a jump.
+        // A ray that runs level in an end's plane may meet the rim, where g has a jump.
         let frame = bounds.lathe.frame;
         let from_ends = lesser((path.z - frame.low).abs(), (path.z - frame.high).abs());
         if from_ends + path.dz.abs() < bounds.tolerance {
@@ -52,16 +54,17 @@ impl Sweep<'_> {
         Probe::Misses { to: (i + 1).saturating_add(run) }
     }
 
-    /// The interval in s in which a ray, or one of the neighbours that a probe of it may certify, can meet
-    /// the solid at the height that this ray has there.
+    /// The interval of s, along a ray, whose heights include every height at which this ray can meet the
+    /// solid, or one of the next rays that a probe of it certifies. Empty, its end before its begin, if there
+    /// is no such height.
     pub(super) fn interval(&self, path: &LocalRay) -> (f32, f32) {
         let span = (1.0 + SPANS) * self.bounds.span;
         let (near, far) = path.slab(self.bounds.low, self.bounds.high);
         (greater(-span, near), lesser(span, far))
     }
 
-    /// An upper bound of sign·g along a ray between two of its points, from segment to segment; it ends at
-    /// the first that may bring sign·g to within the tolerance of zero.
+    /// An upper bound of sign·g between two points of a ray, −∞ if the far one comes before the near one. The
+    /// segments are bounded one after another, to the one that has the start.
     #[inline(never)]
     pub(super) fn upper_bound(&self, path: &LocalRay, sign: f32, (near, far): (f32, f32)) -> UpperBound {
         let lathe = self.bounds.lathe;
@@ -76,7 +79,7 @@ impl Sweep<'_> {
             let (_, to) = path.slab(segment.low, segment.high);
             let to = lesser(far, to);
             let at = path.closest(from, to);
-            // The segment's cylinder bounds g, too, and most often says enough.
+            // The segment's bounding cylinder bounds g as well, and most often suffices.
             let mut most_here = segment.bounding_square - path.around(at).0;
             if sign < 0.0 || most_here > bound.g && !(most_here < -tolerance) {
                 let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
@@ -99,14 +102,14 @@ impl Sweep<'_> {
         bound
     }
 
-    /// The number of pixels after a ray for which sign·g stays below zero at every height of an interval of
-    /// the ray, given that it is at least `margin` below zero there.
+    /// The number of next pixels for whose rays sign·g is certain to stay below zero, at every height that
+    /// the given ray has in an interval of s. On the given ray sign·g is at most −`margin` there.
     ///
-    /// At a height, the point that a ray has there moves along a line as the pixel's number grows, the row's
-    /// plane at that height, and always the same way; g is F there less the square of the point's distance
-    /// from the axis. So n pixels on it has grown by n times its pace, `−2·⟨P, v⟩` with v the point's motion
-    /// from pixel to pixel, less n²·v². Bounds of both over the interval are the maxima of two quadratics in
-    /// s.
+    /// Take one height. The point P where a ray has that height moves, as the pixel's number grows, along the
+    /// line in which the row's plane meets that height, and always the same way. At the point g is F, which
+    /// stays, less the square of the distance from the axis. If v is the motion of P from one pixel to the
+    /// next, n pixels on g has changed by `−2·n·⟨P, v⟩ − n²·v²`. The largest values of both terms over the
+    /// interval are those of two quadratics in s.
     #[inline(never)]
     pub(super) fn certified_run(
         &self,
@@ -117,14 +120,15 @@ impl Sweep<'_> {
         (from, to): (f32, f32),
     ) -> u32 {
         let (m1, d1) = (self.direction.rays.origin_step, self.direction.rays.direction_step);
-        // The point of height z moves as the ray does there, and along it by so much that z stays. That is
-        // `v0 + v1·x`, with x counted from the middle of the interval, where the ray has its point p.
+        // The motion v at a height is that of the ray's point at fixed s, and along the ray by so much that z
+        // does not change: `v0 + v1·s`. From here on s is counted from the middle of the interval, where the
+        // ray has its point p and the motion is v.
         let drift = self.bounds.drift;
         let per_dz = if drift > 0.0 { path.per_dz } else { 0.0 };
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
         let (p, v) = (m + d * middle, v0 + v1 * middle);
-        // Half the pace.
+        // The most of −sign·⟨P, v⟩, half the first term of the change, and of −sign·v², the second.
         let pace = quadratic_max_on(
             -sign * dot_xy(p, v),
             -sign * (dot_xy(p, v1) + dot_xy(d, v)),
@@ -133,21 +137,23 @@ impl Sweep<'_> {
         );
         let square =
             quadratic_max_on(-sign * dot_xy(v, v), -2.0 * sign * dot_xy(v, v1), -sign * dot_xy(v1, v1), half);
-        // The part ε of itself by which dz falls from pixel to pixel, or, negative, grows: n pixels move the
-        // points as far as `n/(1 − n·ε)` would at the first one's pace.
+        // ε, the part of itself by which dz falls from pixel to pixel; negative if it grows. v is that of the
+        // first pixel; as dz changes, a point moves in n pixels by `v·n/(1 − n·ε)`.
         let fall = -d1.z * per_dz;
-        // One over the number of pixels for which SPANS and FALL hold.
+        // One over the number of pixels in which a point moves by SPANS, or dz falls by FALL.
         let level = greater(drift * per_dz.abs(), fall / FALL);
-        // One over the n that uses up the margin: the positive root of `margin·r² − 2·pace·r − square`. Zero,
-        // or NaN where it is not real, if no n does.
+        // One over the number n with which the change comes to the margin: the larger root of
+        // `margin·r² − 2·pace·r − square`. NaN if there is no such root, zero or less if it is not positive:
+        // then no n does.
         let rate = (pace + Native::sqrt(pace * pace + square * margin)) / margin;
-        // NaN loses; the conversion saturates.
+        // Of `level` and a NaN, `greater` returns `level`. The conversion to u32 saturates.
         (1.0 / greater(level, rate + fall)) as u32
     }
 }
 
-/// About where a cubic comes to zero from below (sign 1) or from above (−1): where the parabola of its first
-/// terms does, and two of Newton's steps on. NaN or anything if it does not; what uses it checks.
+/// About where a cubic rises through zero (sign 1) or falls through it (−1): the root of its first three
+/// terms, improved by two of Newton's steps. If there is none, the result may be NaN or any number: it is a
+/// guess.
 fn zero(g: &Cubic, sign: f32) -> f32 {
     let [c0, c1, c2, _] = g.c;
     let mut s = (sign * Native::sqrt(c1 * c1 - 4.0 * c2 * c0) - c1) / (2.0 * c2);

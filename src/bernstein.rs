@@ -15,16 +15,17 @@
 /// assert!(Cubic::from_bernstein(b).first_root(0.0, 1.0).unwrap() > 0.9999);
 /// ```
 ///
-/// Over `w = u/(1 − u)`, from 0 to infinity, the cubic is `(1 − u)³·(b0 + 3·b1·w + 3·b2·w² + b3·w³)`: its
-/// ordinates are the coefficients of a cubic in w, but for a factor of 3, and `Cubic`'s solvers are exact but
-/// for 4 units of 2⁻²⁴ of each coefficient.
+/// With `w = u/(1 − u)`, which goes from 0 to infinity, the cubic is
+/// `(1 − u)³·(b0 + 3·b1·w + 3·b2·w² + b3·w³)`. So its roots are those of a cubic in w whose coefficients are
+/// the ordinates, two of them times 3: no sum is formed before that cubic is solved.
 ///
 /// # Promise
 ///
-/// A root returned is within [`Bernstein::ROUNDING`] units of 2⁻²⁴, relative, of the root of a cubic whose
+/// A root returned is within [`Bernstein::ROUNDING`] units of 2⁻²⁴, relative, of a root of some cubic whose
 /// ordinates differ from the given ones by at most [`Bernstein::BACKWARD_ERROR`] units of 2⁻²⁴ each,
-/// relative; and so is the claim that there is no root before it, or none. What does not count is a value
-/// below 2⁻¹⁰⁶ of the largest ordinate. Ordinates that are not finite have no roots.
+/// relative. Another cubic within that bound has no root before the one returned, or no root at all where
+/// none is returned. Values of the cubic below 2⁻¹⁰⁶ of the largest ordinate count as zero. If an ordinate is
+/// infinite or NaN, no root is returned.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bernstein {
@@ -33,17 +34,17 @@ pub struct Bernstein {
 }
 
 impl Bernstein {
-    /// From `[b0, b1, b2, b3]`, the values at u = 0 and u = 1 first and last.
+    /// From `[b0, b1, b2, b3]`: b0 is the value at u = 0, and b3 that at u = 1.
     #[must_use]
     pub const fn new(b: [f32; 4]) -> Self {
         Self { b }
     }
 
-    /// The value at u, by de Casteljau's interpolations, 0 ≤ u ≤ 1: off by at most 10 units of 2⁻²⁴ of
-    /// `Σ |bⱼ|·Bⱼ(u)`, the sum of the terms' magnitudes.
+    /// The value at u, by de Casteljau's interpolations. For 0 ≤ u ≤ 1 it is off by at most 10 units of 2⁻²⁴
+    /// of `Σ |bⱼ|·Bⱼ(u)`, the sum of the terms' magnitudes.
     ///
-    /// The rounding of 1 − u moves a product of three factors by 3 units at most; three interpolations, each
-    /// a product and a sum, by 6; one is left for terms of second order.
+    /// The rounding of 1 − u, of which a term has three factors at most, contributes up to 3 units; the three
+    /// interpolations, each a product and a sum, contribute 6; one is left for terms of second order.
     #[must_use]
     pub const fn at(&self, u: f32) -> f32 {
         let [b0, b1, b2, b3] = self.b;

@@ -32,10 +32,11 @@ impl Cubic {
 
     /// From Bernstein ordinates over [0, 1]: `Σ bⱼ·(3 over j)·(1 − u)³⁻ʲ·uʲ`.
     ///
-    /// Each coefficient is off by at most 36 units of 2⁻²⁴ of the largest ordinate: c2, three times the
-    /// difference of two differences, is 12 times that ordinate at most, by three roundings. Where no
-    /// ordinate is negative it is half of that. What is small beside u = 1 is lost in such sums:
-    /// [`Bernstein`](crate::Bernstein) finds roots without them.
+    /// Each coefficient is off by at most 36 units of 2⁻²⁴ of the largest ordinate. The worst is c2, three
+    /// times the difference of two differences: it is at most 12 times that ordinate, and has three
+    /// roundings. Where no ordinate is negative c2 is at most 6 times the largest, and the bound is 18 units.
+    /// A cubic that is small beside u = 1 loses its value there in such sums: [`Bernstein`](crate::Bernstein)
+    /// finds roots without them.
     #[must_use]
     pub const fn from_bernstein(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
@@ -81,21 +82,23 @@ impl Cubic {
         ((c3.abs() * u + c2.abs()) * u + c1.abs()) * u + c0.abs()
     }
 
-    /// The greatest value from `-before` to `beyond`: at an end, or where the derivative is zero and falls.
+    /// The greatest value on the interval [−before, beyond]: at one of its ends, or at the cubic's maximum if
+    /// that lies inside.
     pub(crate) fn max_on(&self, before: f32, beyond: f32) -> f32 {
         let [_, c1, c2, c3] = self.c;
         let ends = greater(self.at(-before), self.at(beyond));
-        // Of the two forms of that root the one that does not cancel.
+        // The maximum is where the derivative is zero: of the two forms of that root, the one that does not
+        // cancel. It is NaN if the cubic has no maximum, and then the comparisons below are false.
         let root = Native::sqrt(c2 * c2 - 3.0 * c3 * c1);
         let top = if c2 > 0.0 { -(c2 + root) / (3.0 * c3) } else { c1 / (root - c2) };
         if -before < top && top < beyond { greater(ends, self.at(top)) } else { ends }
     }
 }
 
-/// The greatest value of `c0 + c1·x + c2·x²` for x from `-half` to `half`.
+/// The greatest value of `c0 + c1·x + c2·x²` for x in [−half, half], half ≥ 0.
 #[inline(always)]
 pub(crate) fn quadratic_max_on(c0: f32, c1: f32, c2: f32, half: f32) -> f32 {
-    // Where the vertex lies inside and the parabola opens downwards.
+    // True if the vertex lies inside and the parabola opens downwards.
     if c1.abs() + 2.0 * c2 * half < 0.0 {
         c0 - 0.25 * c1 * c1 / c2
     } else {

@@ -111,15 +111,18 @@
 //! A unit is ε·(size + distance), ε = 2⁻²⁴. The size of the solid is its height or its largest diameter, whichever is more
 //! (across, along y, of one that is stretched along x), the distance that of the ray's origin from the middle of the axis.
 //!
-//! - A ray that clears every silhouette, every rim and, at its start, the surface by 4 units hits or misses as it should, and
-//!   what it hits is what it should. It clears them if no displacement of the surface by less changes the list of its crossings.
-//! - The point of a hit lies within 4 units of the surface, in a unit the hit's own distance from the ray's origin added to the
-//!   two. Where the surface is flat over that, the distance along the ray is off by 4 units over the cosine of incidence.
-//! - [`Lathe::spawn`] starts a ray beside a hit, on the side that it leaves to, clear of the surface by that.
-//! - A waist of no radius is as exact as the rest if a knot lies there. Where f touches zero inside a segment
-//!   the radius is known to √(8ε) of the segment's largest, for f is known to 8ε of its square.
-//! - Nearer than that to a silhouette a ray may hit or miss; it never hits far away. Nothing is NaN, nothing
-//!   panics, nothing slips through a join.
+//! - A ray hits or misses as it should, and what it hits is the part that it should, if it clears every silhouette, every rim
+//!   and, at its start, the surface by 4 units. It clears them if no displacement of the surface by less than 4 units changes the
+//!   list of the ray's crossings.
+//! - A ray that is nearer to a silhouette may hit there or miss; it never hits far from the surface.
+//! - The point of a hit lies within 4 units of the surface. This unit is larger: the distance of the hit from the ray's origin
+//!   is added to size and distance. Where the surface is plane within those 4 units of the hit, the distance along the ray is
+//!   off by at most 4 units divided by the cosine of incidence.
+//! - [`Lathe::spawn`] makes a ray that starts beside a hit, on the side of the surface to which the ray leaves. Its origin clears
+//!   the surface by those 4 units.
+//! - A waist of zero radius is as exact as the rest if a knot lies there. Where f touches zero inside a segment, f is off by
+//!   up to 8ε of the segment's largest squared radius, and so the radius by up to √(8ε) of the largest radius.
+//! - No result is NaN, no call panics, and no ray slips through between two segments.
 //!
 //! The tests hold every solver over every backend to it. The same source gives the same bits on every
 //! machine: additions, multiplications, divisions and correctly rounded roots in a fixed order.

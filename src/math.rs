@@ -50,8 +50,8 @@ pub(crate) const UNIT_ROUNDOFF: f32 = 0.5 * f32::EPSILON;
 pub trait Math {
     /// √x for x ≥ 0, within 2 units of 2⁻²⁴ relative; NaN for x < 0.
     fn sqrt(x: f32) -> f32;
-    /// ∛x for every normal x, within 8 %: a seed, not an answer. Of a smaller x no more than 10⁻¹², of its
-    /// sign.
+    /// ∛x for every normal x, within 8 %: a seed, not an answer. For zero and subnormal x the magnitude of
+    /// the result is below 10⁻¹².
     fn cbrt(x: f32) -> f32;
     /// The angle in [0, π] whose cosine is x, for |x| ≤ 1, within 0.03 rad: a seed, not an answer.
     fn acos(x: f32) -> f32;

@@ -1,5 +1,5 @@
-//! Three components in object or world space: micromath's [`F32x3`], and the little of it that a `const`
-//! needs. Callers of the crate give and get arrays, `[x, y, z]`, whose type belongs to nobody.
+//! Vectors in object or world space: micromath's [`F32x3`], and as `const fn`s those of its operations that
+//! constants need. Callers of the crate give and get arrays, `[x, y, z]`.
 
 pub(crate) use micromath::vector::{F32x3, Vector};
 
@@ -24,35 +24,40 @@ pub(crate) const fn finite(v: F32x3) -> bool {
     x.to_bits() & ONES != ONES && y.to_bits() & ONES != ONES && z.to_bits() & ONES != ONES
 }
 
-/// The vector with each component held between f32's least and largest numbers, the least for NaN.
+/// The vector with its components made finite: −∞ and NaN become `f32::MIN`, and +∞ becomes `f32::MAX`.
 #[cold]
 #[inline(never)]
 pub(crate) fn saturated(v: F32x3) -> F32x3 {
     vector([v.x, v.y, v.z].map(|x| lesser(f32::MAX, greater(f32::MIN, x))))
 }
 
+/// The scalar product ⟨a, b⟩.
 pub(crate) const fn dot(a: F32x3, b: F32x3) -> f32 {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
-/// ⟨a, b⟩ without z.
+/// The scalar product of the x and y components alone.
 #[inline(always)]
 pub(crate) fn dot_xy(a: F32x3, b: F32x3) -> f32 {
     a.x * b.x + a.y * b.y
 }
 
+/// The vector times a number.
 pub(crate) const fn scale(v: F32x3, by: f32) -> F32x3 {
     vector([v.x * by, v.y * by, v.z * by])
 }
 
+/// a + b.
 pub(crate) const fn sum(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.x + b.x, a.y + b.y, a.z + b.z])
 }
 
+/// a − b.
 pub(crate) const fn difference(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.x - b.x, a.y - b.y, a.z - b.z])
 }
 
+/// The vector product a × b.
 pub(crate) const fn cross(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x])
 }
@@ -67,8 +72,11 @@ pub(crate) const fn largest(v: F32x3) -> f32 {
     greater(greater(v.x.abs(), v.y.abs()), v.z.abs())
 }
 
-/// The vector times the power of two that brings its largest component into [1, 4), and that power. `None` if
-/// it is zero or not finite, or too small to be brought there by one power.
+/// The vector times a power of two that brings its largest magnitude into [1, 4), and that power. `None` if a
+/// component is infinite or NaN, or if no component is a normal number.
+///
+/// The result is in [1, 2), except for magnitudes of 2¹²⁷ or more: the smallest normal power, 2⁻¹²⁶, brings
+/// those into [2, 4).
 pub(crate) const fn to_one(v: F32x3) -> Option<(F32x3, f32)> {
     const SMALLEST: f32 = f32::MIN_POSITIVE;
     let size = largest(v);
@@ -80,7 +88,8 @@ pub(crate) const fn to_one(v: F32x3) -> Option<(F32x3, f32)> {
     Some((scale(v, power), power))
 }
 
-/// The unit vector along `v`, whatever its length. `None` if it is zero or not finite.
+/// The unit vector along `v`. `None` where [`to_one`] is: a component is infinite or NaN, or all are zero or
+/// subnormal.
 pub(crate) const fn unit(v: F32x3) -> Option<F32x3> {
     match to_one(v) {
         Some((v, _)) => Some(scale(v, 1.0 / const_fn::sqrt(dot(v, v)))),

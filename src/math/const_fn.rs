@@ -3,12 +3,15 @@
 //! They compute what is computed once, when a scene is made. Operations in a fixed order, each correctly
 //! rounded, give the same bits in the compiler, on the host and on the target.
 
-/// Returns √x, within one unit in the last place, for positive normal x, and 0 for any other x, NaN too.
+/// Returns √x, within one unit in the last place, for positive normal x, and 0 for any other x: also for
+/// infinity and NaN.
 ///
-/// Heron's rule, `y ← (y + x/y)/2`, four times. From a relative error e it leaves e²/(2 + 2·e): of the seed's
-/// ±3.48 % 6.3·10⁻⁴, then 2·10⁻⁷, 2·10⁻¹⁴, and rounding. The seed is half the bits of x, which halves the
-/// exponent, plus half the bits of 1, 0x1fc0_0000, less 0.0366·2²³: halving a mantissa makes up to 7 % too much,
-/// never too little, and this makes the error the same to both sides.
+/// Heron's rule, `y ← (y + x/y)/2`, is applied four times. One step turns a relative error e into
+/// e²/(2 + 2·e), so that the seed's error of ±3.48 % becomes 6.3·10⁻⁴, 2·10⁻⁷, 2·10⁻¹⁴, and rounding.
+///
+/// The seed is made of bits: half of those of x, which halves the exponent, plus half of those of 1,
+/// 0x1fc0_0000. Since the mantissa is halved, too, that would be up to 7 % above √x and never below it;
+/// subtracting 0.0366·2²³ makes the largest error the same to both sides.
 pub const fn sqrt(x: f32) -> f32 {
     if !(x >= f32::MIN_POSITIVE && x < f32::INFINITY) {
         return 0.0;
@@ -22,12 +25,12 @@ pub const fn sqrt(x: f32) -> f32 {
     y
 }
 
-/// Returns the sine and the cosine of an angle in radians, each within 2·10⁻⁷ for |angle| up to 10 000, and
-/// NaN from 10 001 on.
+/// Returns the sine and the cosine of an angle in radians. Each is within 2·10⁻⁷ for |angle| up to 10 000,
+/// and NaN for |angle| of 10 001 or more, and for NaN.
 ///
-/// The angle less the nearest multiple of π/2 (held in three parts, so that taking the first two off is
-/// exact; Cody and Waite 1980), then Taylor's series over [−π/4, π/4], whose first omitted terms are below
-/// 2·10⁻⁹ and 2.5·10⁻⁸.
+/// First the nearest multiple of π/2 is subtracted, which is held in three parts, so that the subtractions of
+/// the first two are exact (Cody and Waite 1980). Then Taylor's series are evaluated over [−π/4, π/4]; the
+/// first term omitted is below 2·10⁻⁹ for the sine, and below 2.5·10⁻⁸ for the cosine.
 pub const fn sin_cos(angle: f32) -> (f32, f32) {
     // The quarter turns in 10 000 radians: 10 000·2/π = 6366.2.
     const MOST: u32 = 6_366;

@@ -3,9 +3,9 @@ use micromath::F32Ext;
 
 /// The [micromath](https://docs.rs/micromath) crate: small, fast, and within a few percent.
 ///
-/// Its functions serve as seeds. The square root is brought to full accuracy by three Newton steps on `1/√x`,
-/// `y ← y·(3/2 − x/2·y²)`, each of which squares the relative error: 3.5 %, 0.2 %, 5·10⁻⁶, rounding. There is
-/// no division.
+/// Its cube root, arc cosine and cosine serve as they are, as seeds. Its reciprocal square root y is brought
+/// to full accuracy by three Newton steps, `y ← y·(3/2 − x/2·y²)`, without a division. Each step leaves 3/2
+/// of the square of the relative error: 3.5 %, 0.2 %, 5·10⁻⁶, rounding.
 ///
 /// ```
 /// use embedded_lathe::math::{Math, Micromath};
@@ -18,7 +18,7 @@ pub struct Micromath;
 
 impl Math for Micromath {
     fn sqrt(x: f32) -> f32 {
-        // Below 10⁻³⁰ intermediate results would be too small: x is scaled by 2⁴⁸, and its root by 2⁻²⁴.
+        // Below 10⁻³⁰ intermediate results would underflow: x is scaled by 2⁴⁸, and its root by 2⁻²⁴.
         let (x, back) = if x < 1.0e-30 { (x * TWO_TO_48, TWO_TO_MINUS_24) } else { (x, 1.0) };
         if !(x > 0.0 && x < f32::INFINITY) {
             // ±0 and +∞ are their own roots. The root of a negative number or NaN is NaN.
@@ -30,7 +30,7 @@ impl Math for Micromath {
             y *= 1.5 - half * y * y;
         }
         let root = x * y;
-        // One correction of the root itself removes the rounding of x·y.
+        // y is 1/√x. One Newton step on the root itself removes the rounding of x·y.
         (root + 0.5 * y * (x - root * root)) * back
     }
 

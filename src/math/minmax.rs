@@ -1,5 +1,5 @@
-//! The larger and the smaller of two numbers, inline: `f32::max` and `f32::min` are function calls on
-//! Cortex-M, in the innermost loops.
+//! The larger and the smaller of two numbers, inline. The innermost loops need them, and there `f32::max` and
+//! `f32::min` would be function calls on Cortex-M.
 
 /// The larger of two numbers, and `a` if either is NaN.
 #[inline(always)]

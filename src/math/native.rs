@@ -36,6 +36,7 @@ impl Math for Native {
     }
 }
 
+/// √x by the instruction `vsqrt.f32`.
 #[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
 #[inline(always)]
 #[allow(unsafe_code)]
@@ -62,6 +63,7 @@ use super::Std as Root;
 #[cfg(not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf")))]
 use Libm as Root;
 
+/// √x by the standard library, or by [`Libm`] without it.
 #[cfg(not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf")))]
 #[inline(always)]
 fn sqrt(x: f32) -> f32 {

@@ -1,13 +1,15 @@
 /// Returns 1/√x within 10⁻⁶, for positive normal x; for any other x the result is unspecified, and may be
-/// NaN. By additions and multiplications only: the same bits everywhere, and less than half of what a square
-/// root and a division take on a Cortex-M4F.
+/// NaN. It takes additions and multiplications only: the same bits everywhere, and less than half of the time
+/// of a square root and a division on a Cortex-M4F.
 ///
-/// The seed comes of the bits of x, as Walsh had it: within 3.44 % by 0x5f37_642f, the best constant before
-/// any step (Lomont, “Fast inverse square root”, 2003), here rounded to 0x5f37_6800, by which it is within
-/// 3.431 %. Two steps `y ← y·(a − x/2·y²)` follow. From a relative error e one leaves
-/// `d·(1 + e) − (3·e² + e³)/2`, a = 3/2 + d. Newton's has d = 0, and an error to one side. The first step's d
-/// makes the error ±8.8·10⁻⁴ (`laboratory/tests/fits.rs`), of which the second, by 3·e²/2 = 1.2·10⁻⁶ and d =
-/// 3.6·10⁻⁷, leaves 8·10⁻⁷; rounding adds to it.
+/// The seed y is computed from the bits of x, as Walsh did it. With the best constant before any step,
+/// 0x5f37_642f (Lomont, “Fast inverse square root”, 2003), it is within 3.44 %; with that constant rounded to
+/// 0x5f37_6800 it is within 3.431 %.
+///
+/// Two steps `y ← y·(3/2 + d − x/2·y²)` follow. One step turns a relative error e into
+/// `d·(1 + e) − (3·e² + e³)/2`. With d = 0 it would be Newton's step, whose errors are all to one side; with
+/// d = 8.8·10⁻⁴ the first step leaves ±8.8·10⁻⁴ (`laboratory/tests/fits.rs`). Of that the second step, whose
+/// d is 3.6·10⁻⁷, would make 3·e²/2 = 1.2·10⁻⁶ without d, and leaves 8·10⁻⁷ with it; rounding adds to it.
 pub(crate) fn rsqrt(x: f32) -> f32 {
     let half = 0.5 * x;
     let y = f32::from_bits(0x5f37_6800_u32.wrapping_sub(x.to_bits() >> 1));

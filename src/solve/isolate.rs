@@ -1,4 +1,4 @@
-//! Root isolation: from monotone piece to monotone piece.
+//! Root isolation: the search for a cubic's crossings, one monotone piece after the other.
 
 use super::piece::{Fall, Piece, bend, critical_point};
 use super::solver::Solver;
@@ -6,12 +6,13 @@ use crate::cubic::Cubic;
 use crate::math::Math;
 use crate::math::minmax::{greater, lesser};
 
-/// The cubic, negated if it starts below zero, and the piece of [lo, hi] on which it first falls to zero.
-/// `None` if it stays above zero up to `hi`.
+/// The cubic, negated if it is negative at `lo`, and the first piece of [lo, hi] on which that falls to zero.
+/// `None` if `g` does not change its sign up to `hi`.
 ///
-/// `positive` is the sign at `lo`, whatever rounding makes of the value there. From above zero a cubic can
-/// only reach zero by falling, and then its value at the minimum, or at the interval's end, is zero or less:
-/// two signs decide. The sign at `hi` is taken from the value there, unless `ends_positive` gives it.
+/// `positive` is whether `g` counts as positive at `lo`, whatever rounding makes of the value there;
+/// `ends_positive` is the same at `hi`, or `None` if the value at `hi` decides. A cubic that is positive at
+/// `lo` can only reach zero by falling. Then it is zero or less at its minimum, or, if that is not between
+/// `lo` and `hi` or lies above zero, at `hi`: the signs at these two points decide.
 #[inline(always)]
 fn first_piece<M: Math>(
     g: &Cubic,
@@ -39,42 +40,44 @@ fn first_piece<M: Math>(
     falls.then_some((g, piece))
 }
 
-/// Where a cubic crosses zero in an interval, from its lower end on, one crossing at a time.
+/// A search for where a cubic crosses zero in an interval, in ascending order, one crossing at a time.
 ///
-/// The search goes from monotone piece to monotone piece. The sign at the end of a piece is decided once,
-/// when the piece is searched, and carried to the next one; each piece holds one crossing at most. So however
-/// the roots are rounded, a cubic has no more than three, and a parabola no more than two.
+/// The search takes one monotone piece after the other. The sign at the end of a piece is decided once, when
+/// the piece is searched, and the next piece begins with that sign; no piece holds more than one crossing. So
+/// whatever rounding does, no more than three crossings of a cubic are found, and no more than two of a
+/// parabola.
 pub(crate) struct Crossings<'a> {
     g: &'a Cubic,
-    /// What is left to be searched.
+    /// The interval that is left to be searched: `next` moves `lo`.
     lo: f32,
     hi: f32,
-    /// The sign of `g` at `lo`, whatever rounding makes of the value there.
+    /// Whether `g` counts as positive at `lo`, whatever rounding makes of the value there.
     positive: bool,
-    /// That at `hi`, if it is known better than from the value there.
+    /// The same at `hi`, or `None` if the value at `hi` decides.
     ends_positive: Option<bool>,
 }
 
 impl<'a> Crossings<'a> {
-    /// The crossings in [lo, hi] of a cubic that is positive at `lo`, or negative.
+    /// The crossings in [lo, hi] of a cubic that counts as positive, or as negative, at `lo`.
     #[inline(always)]
     pub fn new(g: &'a Cubic, lo: f32, hi: f32, positive: bool) -> Self {
         Self { g, lo, hi, positive, ends_positive: None }
     }
 
-    /// The same of a cubic whose sign at `hi` is known, too: the crossings are an odd number if the two
-    /// differ.
+    /// The same of a cubic whose sign at `hi` is known, too: the number of crossings is odd if the two signs
+    /// differ, and even if not.
     #[inline(always)]
     pub fn between(g: &'a Cubic, [lo, hi]: [f32; 2], [positive, ends_positive]: [bool; 2]) -> Self {
         Self { g, lo, hi, positive, ends_positive: Some(ends_positive) }
     }
 
-    /// The next point at which the cubic reaches the other sign, or zero, by the solver S. `None` if there is
-    /// no other up to `hi`.
+    /// The next point at which the cubic reaches zero or the other sign, by the solver S, held to its piece.
+    /// `None` if there is none up to `hi`. After a crossing the rest of the interval begins at the end of its
+    /// piece, with the other sign.
     #[inline(always)]
     pub fn next<S: Solver>(&mut self) -> Option<f32> {
         if !(self.lo < self.hi) {
-            // An interval of no length, with another sign at its end.
+            // The interval has no length. If its two ends have different signs, it is a crossing.
             let jumps = self.ends_positive == Some(!self.positive);
             self.positive ^= jumps;
             return jumps.then_some(self.hi);
@@ -86,13 +89,14 @@ impl<'a> Crossings<'a> {
         Some(greater(piece.lo, lesser(piece.hi, root)))
     }
 
-    /// The sign of the cubic at `hi`, once `next` has returned `None`.
+    /// Whether the cubic counts as positive at the start of the rest: at `hi`, once `next` has returned
+    /// `None`.
     pub fn is_positive(&self) -> bool {
         self.positive
     }
 }
 
-/// The first critical point after `lo`, or `hi` if there is none before that.
+/// The first critical point between `lo` and `hi`, or `hi` if there is none. One at `lo` does not count.
 pub(super) fn first_critical<M: Math>(g: &Cubic, lo: f32, hi: f32) -> f32 {
     let Some(bend) = bend::<M>(g) else { return hi };
     let points = [true, false].map(|near| critical_point(g, bend, near));

@@ -3,15 +3,16 @@ use super::solver::Solver;
 use crate::cubic::Cubic;
 use crate::math::{Native, UNIT_ROUNDOFF};
 
-/// The most steps, of Newton's and halvings together. Halvings alone would take 25 to bring the bracket to
-/// 2⁻²⁴ of the piece; twice that, and a few, leave as many steps of Newton's that come to nothing.
+/// The most steps. Halvings alone would take 25 to shorten the bracket to 2⁻²⁴ of the piece; this leaves more
+/// than as many for Newton steps that gain nothing.
 const MOST_STEPS: u32 = 64;
 
-/// Newton's method in a bracket: a step that leaves the bracket is replaced by the bracket's middle. It ends
-/// at a value within 2⁻²⁴ of its terms, which is rounding, or at a step within 2⁻²⁴ of the piece.
+/// Newton's method in a bracket: a step that would leave the bracket goes to its middle instead. It ends
+/// where the value is within 2⁻²⁴ of the sum of its terms' magnitudes, which is rounding, or where the next
+/// step would be within 2⁻²⁴ of the piece's length.
 ///
-/// The smallest solver. Rays use it that the fast path leaves undecided, which are few, so its speed matters
-/// little.
+/// This is the solver with the least code. It is used for rays that the fast path leaves undecided, which are
+/// few, so its speed matters little.
 pub(crate) struct Newton;
 
 impl Solver for Newton {

@@ -27,18 +27,18 @@ use crate::math::minmax::greater;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Piece {
-    /// Where the interval begins.
+    /// Where the piece begins, and with it the interval.
     pub lo: f32,
-    /// Where the interval ends, or the minimum if that comes before.
+    /// Where the piece ends: at the interval's end, or at the cubic's minimum if that comes before.
     pub hi: f32,
-    /// Which of the cubic's critical points bound the piece.
+    /// How the cubic falls to zero: by which of its critical points the fall is bounded.
     pub fall: Fall,
     /// `√(c2² − 3·c3·c1)`: half the second derivative at the minimum, and minus half of it at the maximum.
     /// Zero if the cubic has no critical points.
     pub bend: f32,
     /// Where the cubic has its minimum. Infinite or NaN if it has none.
     pub minimum: f32,
-    /// Minus the value at the minimum.
+    /// Minus the cubic's value at the minimum. Zero if the cubic has no critical points.
     pub depth: f32,
 }
 
@@ -48,9 +48,11 @@ pub struct Piece {
 pub enum Fall {
     /// The cubic has no critical points.
     Straight,
-    /// It falls to its minimum, which lies in the interval or beyond, and is zero or less.
+    /// The cubic falls to its minimum, which lies after the piece's start, and where it is zero or less. The
+    /// minimum may lie beyond the piece's end.
     ToMinimum,
-    /// It falls from its maximum, and has no minimum below zero before.
+    /// The cubic falls from its maximum. Its minimum lies before the piece's start, or the cubic is positive
+    /// there.
     FromMaximum,
 }
 
@@ -63,15 +65,17 @@ impl Piece {
     }
 }
 
-/// A critical point, `(−c2 ± bend)/(3·c3)`: the one nearer to zero, or the other.
+/// One of the two critical points, `(−c2 ± bend)/(3·c3)`: the one nearer to zero if `near`, and else the
+/// other.
 ///
-/// Each is computed by that form of the quadratic formula that adds two numbers of one sign. So the one
-/// nearer to zero, which stays finite as c3 → 0, takes no division by c3. It is the minimum if c2 ≥ 0.
+/// Each is computed by that form of the quadratic formula that adds two numbers of one sign. So the nearer
+/// one, which stays finite as c3 → 0, takes no division by c3. If c2 ≥ 0, the nearer one is the minimum, and
+/// else the maximum.
 #[inline(always)]
 pub(super) fn critical_point(g: &Cubic, bend: f32, near: bool) -> f32 {
     let [_, c1, c2, c3] = g.c;
     let sum = if c2 >= 0.0 { c2 + bend } else { c2 - bend };
-    // One division, of what is chosen.
+    // The fraction is chosen before it is divided, so that there is one division.
     let (above, below) = if near { (-c1, sum) } else { (-sum, 3.0 * c3) };
     above / below
 }
@@ -81,8 +85,8 @@ pub(super) fn critical_point(g: &Cubic, bend: f32, near: bool) -> f32 {
 /// The computed difference is exact for a cubic whose c1 is off by 3 roundings at most. Where it cancels, the
 /// critical points are so close together that g changes by far less than its rounding between them.
 ///
-/// The products are of normal size if their difference is above 10⁻²⁴: f32's smallest normal number,
-/// 1.2·10⁻³⁸, is less than a 2⁻²⁴th of that, and so is what a product that underflows is off by.
+/// Above 10⁻²⁴ the difference is not affected by underflow: a product that underflows is off by less than
+/// f32's smallest normal number, 1.2·10⁻³⁸, which is less than 2⁻²⁴·10⁻²⁴.
 #[inline(always)]
 pub(super) fn bend<M: Math>(g: &Cubic) -> Option<f32> {
     let [_, c1, c2, c3] = g.c;
@@ -90,12 +94,13 @@ pub(super) fn bend<M: Math>(g: &Cubic) -> Option<f32> {
     if square > 1.0e-24 { Some(M::sqrt(square)) } else { slight_bend::<M>(c1, c2, c3) }
 }
 
-/// [`bend`] where it is zero, or so small that the products may underflow. `None`, too, where |c1|/bend is
-/// 2⁵⁰ or more: so far off is then the nearer critical point, 2²⁰ times as far as intervals reach that are
-/// not rescaled.
+/// [`bend`] where the computed square is 10⁻²⁴ or less, or NaN, so that products may have underflowed. `None`
+/// if the square is not positive, or if |c1|/bend is 2⁵⁰ or more. In the second case the nearer critical
+/// point is about that far from zero, 2²⁰ times as far as an interval reaches that is not rescaled.
 ///
-/// Here c2² ≤ 3·c3·c1 but for 10⁻²⁴ = 2⁻⁸⁰. Times LIFT² = 2¹²⁰ small products are normal numbers; large ones
-/// overflow, and then their difference is −∞ or NaN, and the bend zero, as without lifting.
+/// The coefficients are multiplied by LIFT = 2⁶⁰, and so the products by 2¹²⁰, which makes small ones normal
+/// numbers. Large ones overflow. Since c2² exceeds 3·c3·c1 by no more than 10⁻²⁴ here, the difference is then
+/// −∞ or NaN, the root is taken of zero, and the result is `None`, as it should be.
 #[cold]
 #[inline(never)]
 fn slight_bend<M: Math>(c1: f32, c2: f32, c3: f32) -> Option<f32> {

@@ -1,15 +1,15 @@
-//! What a solver is, and how exact.
+//! What a solver is, and how exact its roots are.
 
 use super::piece::Piece;
 use crate::cubic::Cubic;
 use crate::math::Math;
 
-/// The relative change of each coefficient, in units of 2⁻²⁴, within which every answer is exact. Measured,
-/// not proved: the largest seen is 2.4 units (`docs/ACCURACY.md`), and the laboratory's exact judge asserts
-/// the bound.
+/// By how much the coefficients of the cubic for which an answer is exact may differ from the given ones, in
+/// units of 2⁻²⁴, relative. The bound is measured, not proved: the largest change seen is 2.4 units
+/// (`docs/ACCURACY.md`), and the laboratory's tests assert the bound in exact arithmetic.
 pub const BACKWARD_ERROR: f32 = 4.0;
 
-/// A method that computes where a cubic crosses zero in a piece in which it does so once.
+/// A method that computes where a cubic crosses zero in a [`Piece`], in which there is one crossing.
 ///
 /// ```
 /// use embedded_lathe::{Cubic, math::Libm, solve::{Cardano, Solver, Split}};
@@ -23,7 +23,7 @@ pub const BACKWARD_ERROR: f32 = 4.0;
 /// assert!((middle_root::<Cardano<Libm>>() - 2.0).abs() < 1e-5);
 /// ```
 pub trait Solver {
-    /// The library that the solver takes its square root, and what else it needs, from.
+    /// The library from which the solver takes its square root, and what else it needs.
     type Math: Math;
 
     /// Returns the root of `g` in `piece`. The caller replaces a result outside the piece by the nearer end,

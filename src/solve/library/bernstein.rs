@@ -8,15 +8,17 @@ use crate::solve::Solver;
 use heapless::Vec;
 
 impl Bernstein {
-    /// The relative change of each ordinate, in units of 2⁻²⁴, within which every answer is exact:
-    /// [`BACKWARD_ERROR`](crate::solve::BACKWARD_ERROR), and a rounding of 3·b1 and 3·b2.
+    /// By how much the ordinates of the cubic for which an answer is exact may differ from the given ones, in
+    /// units of 2⁻²⁴, relative: [`BACKWARD_ERROR`](crate::solve::BACKWARD_ERROR), and one unit for the
+    /// rounding of the products 3·b1 and 3·b2.
     pub const BACKWARD_ERROR: f32 = crate::solve::BACKWARD_ERROR + 1.0;
 
-    /// How far rounding moves a root, in units of 2⁻²⁴ relative: a sum and a quotient.
+    /// By how much a root returned may be off by its own rounding, in units of 2⁻²⁴, relative: one unit for
+    /// the sum and one for the quotient in `w/(1 + w)`.
     pub const ROUNDING: f32 = 2.0;
 
-    /// The smallest root in [0, 1], by [`DefaultSolver`]. `None` if there is none, or an ordinate is not
-    /// finite. The zero polynomial vanishes first at 0.
+    /// The smallest root in [0, 1], by [`DefaultSolver`]. `None` if there is none, or if an ordinate is
+    /// infinite or NaN. 0 if all ordinates are zero.
     ///
     /// Cost: 301 instructions on a Cortex-M4F, the mean of `cargo run --example bench` (`ordinates native`).
     #[must_use]
@@ -24,8 +26,9 @@ impl Bernstein {
         self.first_root_by::<DefaultSolver>()
     }
 
-    /// The roots in [0, 1] in ascending order, by [`DefaultSolver`]: at most three. A double root is found as
-    /// two that are equal or close, as one at an end of the interval, or not at all, as rounding decides.
+    /// The roots in [0, 1] in ascending order, by [`DefaultSolver`]: at most three. Rounding decides whether
+    /// a double root is found as two that are equal or close, as one at an end of the interval, or not at
+    /// all.
     ///
     /// ```
     /// use embedded_lathe::Bernstein;
@@ -46,7 +49,7 @@ impl Bernstein {
         if self.has_one_sign() {
             return None;
         }
-        // As `search` finds it in the first part of the interval, where most roots are.
+        // Most roots are in the first part of the interval, where `search` would find the same one.
         let first = self.over_ratio().first_root_by::<S>(0.0, TAME).map(from_ratio);
         first.or_else(|| self.search::<S>(1).first().copied())
     }
@@ -57,12 +60,12 @@ impl Bernstein {
         self.search::<S>(MOST)
     }
 
-    /// Whether no root is possible, since all ordinates have one sign.
+    /// Whether all ordinates are positive, or all are negative. Then the cubic has no root in [0, 1].
     fn has_one_sign(&self) -> bool {
         self.b.iter().all(|b| *b > 0.0) || self.b.iter().all(|b| *b < 0.0)
     }
 
-    /// The first roots, `most` of them.
+    /// The first roots in [0, 1], at most `most` of them, ascending.
     fn search<S: Solver>(&self, most: usize) -> Vec<f32, 3> {
         let [_, _, _, b3] = self.b;
         let mut roots = Vec::new();
@@ -72,14 +75,15 @@ impl Bernstein {
         for w in rescaled::<S>(&self.over_ratio(), 0.0, f32::INFINITY, most) {
             let _ = roots.push(from_ratio(w));
         }
-        // There w is infinite.
+        // At u = 1, where w is infinite, the value is b3.
         if b3 == 0.0 && roots.len() < most {
             let _ = roots.push(1.0);
         }
         roots
     }
 
-    /// `b0 + 3·b1·w + 3·b2·w² + b3·w³`, or a quarter of it, lest 3·b is infinite.
+    /// The cubic `b0 + 3·b1·w + 3·b2·w² + b3·w³`, or a quarter of it if an ordinate is so large that three
+    /// times it might be infinite.
     fn over_ratio(&self) -> Cubic {
         const LARGE: f32 = 0.25 * f32::MAX;
         let largest = self.b.iter().fold(0.0, |largest, b| greater(largest, b.abs()));
@@ -88,7 +92,8 @@ impl Bernstein {
     }
 }
 
-/// `u = w/(1 + w)`, within 2 units of 2⁻²⁴: of w/(1 + w) up to 1/2, and of 1 − 1/(1 + w) beyond.
+/// `u = w/(1 + w)` within 2 units of 2⁻²⁴, relative, for w ≥ 0. For w > 1 it is computed as `1 − 1/(1 + w)`,
+/// which is 1 for infinite w.
 fn from_ratio(w: f32) -> f32 {
     if w <= 1.0 { w / (1.0 + w) } else { 1.0 - 1.0 / (1.0 + w) }
 }

@@ -9,14 +9,15 @@ use core::marker::PhantomData;
 /// With `X = 3·c3·u + c2`, the cubic becomes `X³ − 3·D·X + N = 0`, `D = c2² − 3·c3·c1`,
 /// `N = 2·c2³ − 9·c3·c2·c1 + 27·c3²·c0`:
 ///
-/// - one real root: `X = y + D/y`, `y³ = −(N ± √(N² − 4·D³))/2`, with the sign that adds two numbers of one
-///   sign;
-/// - three real roots: `X = 2·√D·cos(θ)`, `cos(3θ) = −N/(2·√D³)`, with the θ that belongs to the piece.
+/// - if there is one real root, it is `X = y + D/y` with `y³ = −(N ± √(N² − 4·D³))/2`, where ± is the sign of
+///   N, so that the sum does not cancel;
+/// - if there are three, each is `X = 2·√D·cos(θ)` for an angle θ with `cos(3θ) = −N/(2·√D³)`, and the angle
+///   is taken whose root lies in the piece.
 ///
-/// (Cardano 1545, Viète 1591.) The root is `u = (X − c2)/(3·c3)`, which cancels as c3 → 0. If that u lies
-/// outside the piece, the root of `c0 + c1·u + c2·u²` is taken, by the form that does not cancel. The formula
-/// also loses accuracy beside a double root, and with inaccurate functions everywhere; [`refine`](fn@refine)
-/// restores it.
+/// (Cardano 1545, Viète 1591.) The root is `u = (X − c2)/(3·c3)`, a difference that cancels as c3 → 0. If
+/// that u lies outside the piece, the root of `c0 + c1·u + c2·u²` is taken, by the form that does not cancel.
+/// The formula also loses accuracy beside a double root. Over a backend whose functions are inaccurate it is
+/// inaccurate everywhere. In all of these cases [`refine`](fn@refine) restores full accuracy.
 ///
 /// Sound for every finite cubic over every backend; see the [module](crate::solve) for the bound.
 ///
@@ -38,6 +39,8 @@ impl<M: Math> Solver for Cardano<M> {
     }
 }
 
+/// The root of `g` by Cardano's formula. It may lie outside the piece, and it is infinite or NaN if c3 is
+/// zero.
 fn cubic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
     let [c0, c1, c2, c3] = g.c;
     let d = c2 * c2 - 3.0 * c3 * c1;
@@ -55,8 +58,12 @@ fn cubic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
     (x - c2) / (3.0 * c3)
 }
 
-/// What is added to θ, in [0, 60°], so that X belongs to the root in the piece. X falls with θ; u rises with
-/// X if c3 > 0. A cubic that falls between its critical points has c3 > 0.
+/// The angle to be added to θ, which is in [0, 60°], so that the root in the piece results: −120°, 0 or 120°.
+///
+/// X = 2·√D·cos(θ) is the largest of the three for 0, the smallest for 120°, and the middle one for −120°. If
+/// c3 > 0, u rises with X, and the cubic falls from its maximum to its minimum: the piece holds the middle
+/// root. If c3 < 0, u falls as X rises, and the piece holds the first root of u if the cubic falls to its
+/// minimum, and the last if it falls from its maximum.
 fn third(piece: &Piece, c3: f32) -> f32 {
     const THIRD: f32 = 2.0 * core::f32::consts::FRAC_PI_3;
     match piece.fall {
@@ -66,7 +73,8 @@ fn third(piece: &Piece, c3: f32) -> f32 {
     }
 }
 
-/// The root of `c0 + c1·u + c2·u²` in the piece, or the other one if neither is.
+/// The root of `c0 + c1·u + c2·u²` that lies in the piece. If neither does, the result is one of the two, or
+/// NaN.
 fn quadratic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
     let [c0, c1, c2, _] = g.c;
     let square = c1 * c1 - 4.0 * c2 * c0;

@@ -5,14 +5,15 @@ use crate::solve::Solver;
 use crate::solve::isolate::{Crossings, first_critical};
 use heapless::Vec;
 
-/// How many roots a cubic has at most.
+/// The largest number of roots that a cubic may have.
 pub(super) const MOST: usize = 3;
 
-/// Appends the roots of `g` in [lo, hi], times `unit`, until there are `most` of them. Returns the sign at
-/// `hi`.
+/// Appends to `roots` the roots of `g` in [lo, hi], each multiplied by `unit`, until the list has `most`.
+/// Returns whether `g` is positive at `hi`, or, if the list is full before, after its last root.
 ///
-/// `sign` is that at `lo`, if it has been decided; if not, and the value there is zero, `lo` is a root, and
-/// the search goes on with the sign at the end of the monotone piece that begins there.
+/// `sign` is whether `g` is positive at `lo`, if that has been decided, and else `None`. Then the value at
+/// `lo` decides. If that is zero, `lo` is a root, and the search goes on from the first critical point after
+/// it, with the sign there.
 pub(super) fn collect<S: Solver>(
     g: &Cubic,
     [lo, hi]: [f32; 2],

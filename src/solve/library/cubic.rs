@@ -9,25 +9,26 @@ use crate::solve::Solver;
 use crate::solve::isolate::Crossings;
 use heapless::Vec;
 
-/// The solver of [`Cubic::first_root`], [`Cubic::roots`] and the like, which name none. No picture is made
-/// with it.
+/// The solver of [`Cubic::first_root`], [`Cubic::roots`] and their like for
+/// [`Bernstein`](crate::Bernstein). No picture is made with it.
 pub type DefaultSolver = Split<Native>;
 
 impl Cubic {
     /// The smallest root in [lo, hi], by [`DefaultSolver`].
     ///
-    /// `None` if there is no root, if a coefficient is infinite or NaN, and unless lo ≤ hi. An infinite end
-    /// stands for the largest finite number. Of the zero polynomial the first root is lo.
+    /// `None` if there is no root, if a coefficient is infinite or NaN, or if lo ≤ hi does not hold (as with
+    /// NaN). An infinite interval is searched up to the largest finite numbers. If all coefficients are zero,
+    /// the first root is lo.
     #[must_use]
     pub fn first_root(&self, lo: f32, hi: f32) -> Option<f32> {
         self.first_root_by::<DefaultSolver>(lo, hi)
     }
 
-    /// The roots in [lo, hi] in ascending order, by [`DefaultSolver`]: no more than the degree. A double root
-    /// is found as two that are equal or close, as one at an end of the interval, or not at all, as rounding
-    /// decides.
+    /// The roots in [lo, hi] in ascending order, by [`DefaultSolver`]: no more than the degree. Rounding
+    /// decides whether a double root is found as two that are equal or close, as one at an end of the
+    /// interval, or not at all.
     ///
-    /// Empty where [`Cubic::first_root`] is `None`, and otherwise with that for its first.
+    /// The list is empty where [`Cubic::first_root`] is `None`; otherwise its first entry is that root.
     ///
     /// ```
     /// use embedded_lathe::Cubic;
@@ -62,7 +63,7 @@ impl Cubic {
     }
 }
 
-/// The first of the [`Crossings`]. Not inline: there is one copy for all callers.
+/// The first of the [`Crossings`]. Not inline, so that all callers share one copy.
 #[inline(never)]
 fn first_crossing<S: Solver>(g: &Cubic, lo: f32, hi: f32, positive: bool) -> Option<f32> {
     Crossings::new(g, lo, hi, positive).next::<S>()

@@ -1,24 +1,25 @@
 use crate::cubic::Cubic;
 
-/// A root before the last Newton step: it lies at `from + d`, where g has this slope.
+/// A root before the last Newton step: it lies at `from + d`, where `from` is a critical point, the point of
+/// inflection, or 0, and there g has the slope `slope`.
 pub(super) struct Guess {
     pub from: f32,
     pub d: f32,
     pub slope: f32,
 }
 
-/// The most steps of Newton's for [`positive_root`].
+/// The most Newton steps that [`positive_root`] takes.
 const MOST_STEPS: u32 = 4;
 
-/// The root of a cubic that has no critical points.
+/// The root of a cubic that falls and has no critical points.
 ///
-/// About the point of inflection p, with d = u − p: `c3·d³ + slope·d + value = 0`, slope and value those of g
-/// at p; c3 and slope have one sign.
+/// With the point of inflection p and d = u − p the equation is `c3·d³ + slope·d + value = 0`, where slope
+/// and value are those of g at p, and c3 and slope have one sign.
 ///
-/// As c3 → 0, p and d go to infinity. Then the root is `−c0/c1`, the tangent's at zero, within 2⁻⁹ if |c1·p|
-/// is 2⁹·|c0| or more.
+/// As c3 → 0, p and d go to infinity. So where |c1·p| is more than 2⁹·|c0|, or p is infinite or NaN, the
+/// result is `−c0/c1` instead, the root of the tangent at u = 0, which is then within 2⁻⁹, relative.
 ///
-/// Not inline, since it is rare.
+/// Not inline, since it is rarely called.
 #[cold]
 #[inline(never)]
 pub(super) fn from_inflection(g: Cubic) -> Guess {
@@ -28,21 +29,23 @@ pub(super) fn from_inflection(g: Cubic) -> Guess {
         let u = -c0 / c1;
         return Guess { from: 0.0, d: u, slope: g.slope(u) };
     }
-    // g falls to its root. Where the slope at p is rounding alone, its sign is, too.
+    // g falls, so its slope at p is negative. The sign of the computed one may be wrong where it is all
+    // rounding, so that its magnitude is taken.
     let (value, slope) = (g.at(p), (c1 + c2 * p).abs());
     let (d, slope) = positive_root(value.abs(), [slope, 0.0, c3.abs()]);
     Guess { from: p, d: d.copysign(value), slope: -slope }
 }
 
-/// The positive root d of `c1·d + c2·d² + c3·d³ = height`, none of them negative, c1 or c2 zero; and the
-/// slope of the left side there. (0, ∞) unless height > 0.
+/// The pair of the positive root d of `c1·d + c2·d² + c3·d³ = height` and the slope of the left side there.
+/// No coefficient may be negative, and c1 or c2 must be zero. If height is not above 0, the pair is (0, ∞).
 ///
-/// Newton's steps `(height + c2·d² + 2·c3·d³)/(c1 + 2·c2·d + 3·c3·d²)` from `∛(height/c3)`. That is close
-/// where the cubic term dominates; where another does, the first step comes within a factor of 3 of the root,
-/// and the second is close. From above the root the steps descend to it, and no sum cancels: after at most
-/// four of them the last is below 10⁻³ of d, which leaves an error of 1.2·10⁻⁶, if `c2³ ≤ 2·c3²·height`; with
-/// a larger c2 it would take more. Where terms underflow the steps may alternate for ever, so the fourth is
-/// the last: the value that remains is below 2⁻¹⁰⁶ of the largest coefficient.
+/// Newton's method, `d ← (height + c2·d² + 2·c3·d³)/(c1 + 2·c2·d + 3·c3·d²)`, starts at `∛(height/c3)`. If
+/// the cubic term dominates, the root is near there; if not, the first step comes within a factor of 3 of the
+/// root, and the second comes near. From above the root the steps descend to it, and no sum cancels. If
+/// `c2³ ≤ 2·c3²·height`, one of the first four steps is shorter than 10⁻³ of d, and then d is off by no more
+/// than 1.2·10⁻⁶; a larger c2 would take more steps. Where terms underflow the steps may go back and forth
+/// without end. So the fourth is the last: the value of g that remains is then below 2⁻¹⁰⁶ of the largest
+/// coefficient.
 #[cold]
 #[inline(never)]
 pub(super) fn positive_root(height: f32, [c1, c2, c3]: [f32; 3]) -> (f32, f32) {
@@ -53,7 +56,7 @@ pub(super) fn positive_root(height: f32, [c1, c2, c3]: [f32; 3]) -> (f32, f32) {
     (d, slope)
 }
 
-/// [`positive_root`], and how many steps it took.
+/// The root and the slope of [`positive_root`] for height > 0, and how many steps it took.
 #[inline(always)]
 fn approach(height: f32, [c1, c2, c3]: [f32; 3]) -> (f32, f32, u32) {
     let slope = |d| c1 + (2.0 * c2 + 3.0 * c3 * d) * d;
@@ -68,16 +71,17 @@ fn approach(height: f32, [c1, c2, c3]: [f32; 3]) -> (f32, f32, u32) {
     (d, slope(d), steps)
 }
 
-/// `∛(a/b)` of positive normal numbers, within 6.2 %, whatever a/b.
+/// `∛(a/b)` of positive normal numbers a and b, within 6.2 %, even if a/b overflows or underflows.
 ///
-/// A number's bits, less those of 1, are 2²³ times its logarithm to base 2, or up to 0.0861·2²³ less. So a
-/// third of the difference of two numbers' bits, added to those of 1, are about the bits of the cube root of
-/// their ratio. The constant is the bits of 1 less 0.0861·2²³/3, since those differences are to both sides
-/// and the logarithm's own error to one.
+/// The bits of a number, read as an integer, less those of 1, are 2²³ times its logarithm to base 2, or up to
+/// 0.0861·2²³ less. So the bits of the cube root of a/b are about those of 1, plus a third of the difference
+/// between the bits of a and those of b. The error of that difference may have either sign, and the error of
+/// the result's own bits is to one side: subtracting 0.0861·2²³/3 from the bits of 1 moves the range of
+/// the errors towards zero.
 fn cube_root_of_ratio(a: f32, b: f32) -> f32 {
     let [a, b] = [a, b].map(|x| x.to_bits() as i32);
-    // Other numbers, NaN too, give any bits; the caller's bracket holds what comes of them. `wrapping`, for
-    // they may overflow.
+    // For other numbers, NaN too, the result is unspecified, and the caller holds the root to its bracket.
+    // The difference of their bits may overflow, so it is a wrapping one.
     f32::from_bits((a.wrapping_sub(b) / 3 + 0x3f7c_538b) as u32)
 }
 

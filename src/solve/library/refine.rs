@@ -3,25 +3,29 @@ use crate::math::UNIT_ROUNDOFF;
 use crate::math::minmax::lesser;
 use crate::solve::{Fall, Piece};
 
-/// The most steps. Bisection alone takes 24, one a bit of the result, after as many as the exponents of the
-/// interval's length and of the root differ by: 152 for a root of 1 in an interval of the length 2¹²⁸. From a
-/// fair seed two or three steps are taken.
+/// The most steps. For a root of 1 in an interval of length 2¹²⁸ bisection alone would take 152: 128 to
+/// shorten the bracket to the size of the root, and 24 for the bits of its mantissa. From a fair seed two or
+/// three Newton steps are enough.
 const MOST_STEPS: u32 = 160;
 
 /// The root of `g` in a piece, by Newton's method in a bracket, from any seed, NaN too: a bad seed costs
-/// time, never accuracy. For a [`Solver`](crate::solve::Solver) whose closed form is inaccurate; `g` and
-/// `piece` are those that it is given, so `g` is above zero where the piece begins. [`Piece`] has an example.
+/// time, never accuracy. It is meant for a [`Solver`](crate::solve::Solver) whose closed form is inaccurate,
+/// and takes the `g` and the `piece` that the solver was given: `g` is above zero where the piece begins.
+/// [`Piece`] has an example.
 ///
 /// Cost: from a fair seed two or three steps, each with a division; 160 at most.
 ///
-/// The signs of `g` narrow the bracket; a step that leaves it is replaced by its middle. After a step d from
-/// u the value that remains is exactly `d²·(g″(u)/2 − c3·d)`.
+/// The sign of `g` at each u narrows the bracket, and a step that would leave the bracket goes to its middle
+/// instead. After a Newton step of length d from u, the value of `g` is exactly `d²·(g″(u)/2 − c3·d)`.
 ///
-/// The search ends when the value is below two roundings, since its sign is then uncertain, or when what
-/// remains after a step is below an eighth of a rounding, so that another step would change no bit but the
-/// last. Beside a critical point the slope is mostly rounding: no step is longer than half the way to it.
-/// From a bad seed such steps could go on for long, each halving that way; so every fourth of them is
-/// replaced by the bracket's middle, which bounds their number by four times bisection's.
+/// A rounding of `g` at u is 2⁻²⁴ of the sum of its terms' magnitudes. The search ends when the value is
+/// below two roundings, since its sign is then uncertain, or when the value after a step is below an eighth
+/// of a rounding, since another step could change the last bit alone.
+///
+/// Beside a critical point the slope is mostly rounding: no step is longer than half the distance to that
+/// point. From a bad seed many steps could be cut so, each halving the distance. So a cut step whose number
+/// is a multiple of four goes to the bracket's middle, which bounds the number of steps by four times that of
+/// bisection.
 #[inline(never)]
 #[must_use]
 pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
@@ -29,7 +33,8 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
     // A critical point limits steps only if it bounds the crossing's bracket.
     let top = if piece.fall == Fall::Straight { f32::NEG_INFINITY } else { piece.maximum(g) };
     let (mut lo, mut hi) = (if piece.lo < top && top < piece.hi { top } else { piece.lo }, piece.hi);
-    // At u = 0 a value has no rounding to be within: a root there, simple or multiple, is found by c0.
+    // If c0 is zero, g and its rounding shrink together as u → 0, so that the search might approach a root at
+    // 0 for long. That root, simple or multiple, is found by c0 instead.
     if c0 == 0.0 && (lo < 0.0 || top == 0.0) && lo <= 0.0 && 0.0 <= hi {
         return 0.0;
     }
@@ -50,7 +55,7 @@ pub fn refine(g: &Cubic, piece: &Piece, seed: f32) -> f32 {
         let far = step.abs() > reach;
         let rest = step * step * (c2 + 3.0 * c3 * u - c3 * step);
         let last = !far && rest.abs() <= 0.125 * rounding;
-        // Not `<=`: far out both sides may be infinite.
+        // Not `<=`, which is true where both sides are infinite, as they may be for large u.
         if value.abs() < 2.0 * rounding || value == 0.0 {
             u -= if last { step } else { 0.0 };
             break;

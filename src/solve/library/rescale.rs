@@ -4,18 +4,20 @@ use crate::math::minmax::{greater, lesser};
 use crate::solve::Solver;
 use heapless::Vec;
 
-/// How far from zero an interval may reach to be solved as it is: the largest term is then (2³⁰)³·2²⁰ = 2¹¹⁰.
+/// How far from zero the interval of a cubic may reach that is solved as it is: its largest term is then
+/// (2³⁰)³·2²⁰ = 2¹¹⁰.
 pub(super) const TAME: f32 = (1_u64 << 30) as f32;
 
-/// Beyond this the unit is 2¹²⁰. (See [`rescaled`].)
+/// 2⁹⁰: the parts of the interval beyond this have the unit 2¹²⁰. (See [`rescaled`].)
 const FAR: f32 = TAME * TAME * TAME;
 
-/// The largest coefficient must be from 2⁻²⁰ to 2²⁰ for a cubic to be solved as it is. This is 20 in a
-/// float's exponent.
+/// A cubic is solved as it is if its largest coefficient is in [2⁻²⁰, 2²⁰). This is the 20, shifted to where
+/// the exponent stands in the bits of an f32.
 const RANGE: u32 = 20 << 23;
 
-/// Whether a cubic can be solved as it is: no product overflows, and one that underflows is below 2⁻¹⁰⁶ of
-/// the largest coefficient. False if a number is NaN, or unless lo ≤ hi.
+/// Whether a cubic can be solved as it is, by [`TAME`] and [`RANGE`]: then no product overflows, and products
+/// that underflow are below 2⁻¹⁰⁶ of the largest coefficient. False if a number is infinite or NaN, or if lo
+/// is above hi.
 #[inline(always)]
 pub(super) fn is_tame(g: &Cubic, lo: f32, hi: f32) -> bool {
     // The bits of magnitudes are ordered as the magnitudes are, NaN's above all others.
@@ -25,17 +27,18 @@ pub(super) fn is_tame(g: &Cubic, lo: f32, hi: f32) -> bool {
     largest.wrapping_sub(1.0_f32.to_bits() - RANGE) < 2 * RANGE && ends <= TAME.to_bits() && lo <= hi
 }
 
+/// The bits of |x|.
 fn bits(x: f32) -> u32 {
     x.to_bits() & 0x7fff_ffff
 }
 
-/// The first roots of any cubic in any interval, ascending, `most` of them. Empty if a coefficient is not
-/// finite, or unless lo ≤ hi.
+/// The first roots of any cubic in any interval, ascending, at most `most` of them. Empty if a coefficient is
+/// infinite or NaN, or if lo ≤ hi does not hold (as with NaN).
 ///
-/// The interval is cut at ±2³⁰ and ±2⁹⁰, and each part is solved in a unit of its own, 2⁰, 2⁶⁰ or 2¹²⁰. There
-/// |u| is from 2⁻³⁰ (0 in the middle part) to 2³⁰, and the largest coefficient in [1, 2). So no power
-/// overflows, and a coefficient that underflows is below 2⁻³⁶ of the largest term: 2⁻¹²⁶ over (2⁻³⁰)³. The
-/// sign at a cut is decided once, in the part that ends there.
+/// The interval is cut at ±2³⁰ and ±2⁹⁰, and each part is solved in a unit of its own, 2⁰, 2⁶⁰ or 2¹²⁰. In
+/// that unit |u| is from 2⁻³⁰ (0 in the middle part) to 2³⁰, and the largest coefficient is in [1, 2). So no
+/// power overflows, and a coefficient that underflows is below 2⁻³⁶ of the largest term, since
+/// 2⁻¹²⁶/(2⁻³⁰)³ = 2⁻³⁶. The sign at a cut is decided once, in the part that ends there.
 #[cold]
 #[inline(never)]
 pub(super) fn rescaled<S: Solver>(g: &Cubic, lo: f32, hi: f32, most: usize) -> Vec<f32, 3> {
@@ -45,7 +48,8 @@ pub(super) fn rescaled<S: Solver>(g: &Cubic, lo: f32, hi: f32, most: usize) -> V
     if !(lo <= hi && g.c.iter().all(|c| c.is_finite())) {
         return roots;
     }
-    // Neither end is NaN. Of [∞, ∞] no finite number is left, and so no part.
+    // Neither end is NaN. The interval [∞, ∞] becomes [∞, f32::MAX], which is empty: no part has roots. So
+    // does [−∞, −∞].
     let (lo, hi) = (greater(f32::MIN, lo), lesser(f32::MAX, hi));
     let mut sign = None;
     for (from, to, unit) in PARTS {
@@ -80,7 +84,7 @@ fn times_power(x: f32, n: i32) -> f32 {
     x * power(n / 2) * power(n - n / 2)
 }
 
-/// `⌊log₂|x|⌋`, and −1000, which is below all others, if x is 0.
+/// `⌊log₂|x|⌋` of a finite x, and −1000, which is below all other results, if x is 0.
 #[inline(never)]
 fn exponent(x: f32) -> i32 {
     const LIFT: f32 = (1 << 24) as f32;
@@ -92,7 +96,7 @@ fn exponent(x: f32) -> i32 {
     }
 }
 
-/// 2ⁿ, or the nearest power of two that is a normal number.
+/// 2ⁿ, or if that is no normal number, the smallest or the largest power of two that is one.
 fn power(n: i32) -> f32 {
     f32::from_bits(((n + 127).clamp(1, 254) as u32) << 23)
 }

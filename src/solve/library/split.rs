@@ -7,22 +7,26 @@ use core::marker::PhantomData;
 /// A parabola about the nearer critical point, corrected for the cubic term. The solver of
 /// [`Cubic::first_root`] and [`Cubic::roots`]. A tag, of which no value exists.
 ///
-/// At a distance d from the critical point nearest to the root, `|g| = height − bend·d² + c3·d³`. Without the
-/// last term the root is at `e = √(height/bend)`; with it at `e·Φ(b)`, `Φ²·(1 − b·Φ) = 1`, `b = c3·e/bend`.
-/// Towards the other critical point b rises to `√6/9`, at the point of inflection, beyond which the other one
-/// is the nearer; in the other direction b falls without bound. Below −3/4, and where there is no critical
-/// point, the cubic term dominates, and the root is computed from the point of inflection. (`inflection.rs`.)
+/// At a distance d from the critical point that is nearer to the root, `|g| = height − bend·d² + c3·d³`,
+/// where height is |g| at that point. Without the last term the root would be at `d = e = √(height/bend)`.
+/// With it the root is at `d = e·Φ(b)`, where `b = c3·e/bend` and Φ is the solution of `Φ²·(1 − b·Φ) = 1`.
+///
+/// If the root lies towards the other critical point, b is from 0 to `√6/9`: at that value the root is the
+/// point of inflection, and beyond it the other critical point would be the nearer. If it lies in the other
+/// direction, b is negative without bound. Where b is below −3/4 the cubic term dominates, and Newton's
+/// method finds d. Where there is no critical point the root is computed from the point of inflection.
+/// (`inflection.rs` has both.)
 ///
 /// Φ is computed by a polynomial of five terms, within 2.7·10⁻³, and a Newton step on its equation, which
-/// leaves 5.2·10⁻⁶. One Newton step on g removes that, and the rounding of the critical point; the slope is
-/// `d·(2·bend − 3·c3·d)`, a product that does not cancel as d → 0. Its convergence is quadratic: 10⁻¹¹·d
-/// remains. There is no bracket and no loop:
+/// leaves 5.2·10⁻⁶. One Newton step on g removes that error, and the rounding of the critical point. Its
+/// slope is `d·(2·bend − 3·c3·d)`, a product that does not cancel as d → 0. Since Newton's method converges
+/// quadratically, an error of about 10⁻¹¹·d remains. There is no bracket, and no loop for b of −3/4 or more:
 ///
-/// - Beside a critical point the sign of g is rounding's, and a step may have any length. A step longer than
-///   d/2 is cut to d/2: `bend·d²` is then below the rounding of g, and every point within a few d is an
-///   equally good root.
-/// - A root so near to zero that 10⁻¹¹·d is not small beside it is computed from `−c0/c1` instead, which is
-///   then within 2⁻⁹, and a Newton step.
+/// - Beside a critical point rounding decides the sign of g, and a Newton step may have any length. One
+///   longer than d/2 is cut to d/2: `bend·d²` is then below the rounding of g, and every point within a few d
+///   is an equally good root.
+/// - Where the root is so near to zero that 10⁻¹¹·d is not small beside it, the Newton step on g starts from
+///   `−c0/c1` instead, which is then within 2⁻⁹ of the root, relative.
 ///
 /// Sound for every finite cubic; see the [module](crate::solve) for the bound.
 ///
@@ -48,7 +52,7 @@ impl<M: Math> Solver for Split<M> {
     }
 }
 
-/// The root computed about the critical point that is nearer to it.
+/// The root, before the last Newton step, by its distance from the critical point that is nearer to it.
 #[inline(always)]
 fn from_turning<M: Math>(g: &Cubic, piece: &Piece) -> Guess {
     let [.., c3] = g.c;
@@ -69,7 +73,7 @@ fn from_turning<M: Math>(g: &Cubic, piece: &Piece) -> Guess {
     };
     let e = M::sqrt(height.abs() * per_bend);
     let b = ratio * e;
-    // Beyond −3/4, by the bits, which grow with the magnitude.
+    // True if b < −3/4 (or NaN with the sign bit set): the bits of negative numbers rise with the magnitude.
     if b.to_bits() > (-0.75_f32).to_bits() {
         let (d, slope) = positive_root(height.abs(), [0.0, bend, -c3]);
         return Guess { from, d: way * d, slope: -slope };
@@ -78,22 +82,22 @@ fn from_turning<M: Math>(g: &Cubic, piece: &Piece) -> Guess {
     Guess { from, d: way * d, slope: -d * (2.0 * bend - 3.0 * c3 * d) }
 }
 
-/// Φ(b) for b in [−3/4, √6/9]: [`nearly_phi`], and a step of Newton's on `Φ²·(1 − b·Φ) − 1`, which leaves
-/// 5.2·10⁻⁶.
+/// Φ(b) within 5.2·10⁻⁶, for b in [−3/4, √6/9]: a Newton step on `Φ²·(1 − b·Φ) − 1` from [`nearly_phi`].
 fn phi(b: f32) -> f32 {
     let y = nearly_phi(b);
     let by = b * y;
     (1.0 + y * y * (1.0 - 2.0 * by)) / (y * (2.0 - 3.0 * by))
 }
 
-/// The polynomial of degree 4 with the least largest relative error on [−3/4, √6/9], 2.7·10⁻³. Fitted by
-/// Remez's exchange in `laboratory/tests/fits.rs`, which asserts these coefficients.
+/// Φ(b) within 2.7·10⁻³, for b in [−3/4, √6/9]: the minimax polynomial of degree 4, by relative error.
+/// `laboratory/tests/fits.rs` computes it by Remez's exchange, and asserts these coefficients.
 #[inline(always)]
 fn nearly_phi(b: f32) -> f32 {
     0.997_442_4 + b * (0.505_279_96 + b * (0.789_021_4 + b * (1.192_748_1 + b * 0.742_747_07)))
 }
 
-/// The last step: Newton's, at most half as long as d.
+/// The root after the last step, a Newton step of at most |d|/2 from the guess, or from `−c0/c1` if the guess
+/// [`is_lost`].
 #[inline(always)]
 fn newton(g: &Cubic, Guess { from, d, slope }: Guess) -> f32 {
     let [c0, c1, ..] = g.c;
@@ -107,8 +111,8 @@ fn newton(g: &Cubic, Guess { from, d, slope }: Guess) -> f32 {
     u - if step.abs() <= most { step } else { most.copysign(step) }
 }
 
-/// Whether |u| is below 2⁻⁹·|from|, to a factor of 2: the difference of their bits is about 2²³ times that of
-/// their logarithms.
+/// Whether |u| is below about 2⁻⁹·|from|. The threshold is met within a factor of 2, since the difference of
+/// two numbers' bits is about 2²³ times that of their logarithms to base 2.
 #[inline(always)]
 fn is_lost(u: f32, from: f32) -> bool {
     let [u, from] = [u, from].map(|x| (x.to_bits() & 0x7fff_ffff) as i32);

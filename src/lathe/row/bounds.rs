@@ -7,33 +7,33 @@ use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::vector::{F32x3, cross, dot, dot_xy, one_norm, vector};
 
-/// The half-width in g, besides rounding, of the *undecided band* about zero.
+/// The half-width, in g, of the *undecided band* about zero; what rounding can do comes on top.
 ///
-/// A choice, in the frame, where the largest radius is between 1 and 2: 128 times the error in s that
-/// Newton's method leaves ([`ROOT`]), and 2⁻¹³/r of a radius r, which is a hundredth of a pixel where the
-/// solid is 240 pixels wide.
+/// The value is a choice. It is 128 times the error in s that Newton's method leaves ([`ROOT`]). A change of
+/// g by it is one of a radius r by 2⁻¹³/r, since g changes by 2·r times as much. In the frame the largest
+/// radius is between 1 and 2, and there that is a hundredth of a pixel if the solid is 240 pixels wide.
 const TOLERANCE: f32 = 1.0 / 4096.0;
 
-/// The error in s that the last of Newton's steps may leave, 2⁻¹⁹, in units of the direction.
+/// The error in s that the last step of Newton's method may leave, 2⁻¹⁹, in units of the direction.
 ///
 /// Along a surface of radius 1 it turns the normal by 2⁻¹⁹, and so changes a shade of 255 by 2⁻¹¹ of a step
 /// at most.
 const ROOT: f32 = 1.0 / 524_288.0;
 
 /// The largest tolerance of a row of any use: a quarter of the least square that the largest radius may have,
-/// 1.
+/// which is 1.
 const MOST_TOLERANCE: f32 = 0.25;
 
-/// By how much the ball around the solid is widened, of radius R ≥ 1, for a ray outside of it to miss by more
-/// than the tolerance: there g ≤ −(1.125² − 1)·R² < −0.26, and a usable row's tolerance is below
-/// [`MOST_TOLERANCE`].
+/// The factor by which the ball around the solid is enlarged, so that a ray outside of it misses by more than
+/// the tolerance. If the ball's own radius is R, at least 1, then outside of the enlarged one
+/// g ≤ −(1.125² − 1)·R² < −0.26, and a usable row's tolerance is below [`MOST_TOLERANCE`].
 const WIDENED: f32 = 1.125;
 
-/// How far along a ray, in spans of the row, the point of a given height may move within the pixels that one
-/// probe certifies.
+/// How far along the rays, in units of [`RowBounds::span`], the point of a given height may move within the
+/// pixels that one probe certifies.
 ///
-/// A choice: heights are bounded over so much more of the ray, and a probe holds for as many pixels as they
-/// take to move so far.
+/// The value is a choice. If it is larger, a probe may hold for more pixels, but it has to bound g along a
+/// longer part of its ray.
 pub(super) const SPANS: f32 = 4.0;
 
 /// A part of a row of `width` pixels: the columns from `start` to before `end`.
@@ -57,49 +57,52 @@ pub(super) struct RowBounds<'a> {
     /// Whether roots are tracked: if the bounds are of use, and no other solid may be nearer.
     pub may_track: bool,
     /// s = 0 is at `shift` times the direction on each ray. A distance t along a ray, times `unit`, is
-    /// counted as `shift + s`.
+    /// equal to `shift + s`.
     pub shift: f32,
     pub unit: f32,
-    /// The column that the right half begins with, the number of columns of the left half, and whether that
-    /// is the mirror image of the right one.
+    /// The column that the right half begins with, the number of columns of the left half, and whether the
+    /// left half sees the mirror image of what the right one sees.
     pub middle: u32,
     pub left: u32,
     pub is_mirrored: bool,
     /// Every point of the solid on every ray has |s| ≤ span.
     pub span: f32,
-    /// The heights between which rays can meet the solid.
+    /// The lowest and the highest height at which a ray of the row can meet the solid.
     pub low: f32,
     pub high: f32,
     /// The largest |dz|.
     pub steep: f32,
-    /// The least q/dz²: where half the profile's second derivative is no more than this, g is concave along
-    /// every ray.
+    /// The least q/dz² of all rays. Along every ray g is concave in a segment whose own `convexity`, the
+    /// bound of F″/2, is no more than this.
     pub max_convexity: f32,
     /// Whether all rays rise, or all fall. `None` if there are some of both, or no roots are tracked.
     pub rising: Option<bool>,
-    /// The largest |∂z/∂i| within the span, over four spans: how fast the height of a point of given s
-    /// changes.
+    /// How fast heights change from pixel to pixel: the largest |∂z/∂i| at any s within the span, divided by
+    /// `SPANS·span`.
     pub drift: f32,
     /// What lies nearer than this to a decision, in g or in height, is not decided by the row.
     pub tolerance: f32,
     /// The slope that a tracked root must exceed: `2·√(q·tolerance) + 16·ROOT·Q`, Q a bound of |g″/2|.
     ///
-    /// With the first term g rises behind the root to more than the tolerance, A²/(4·q), unless the profile
-    /// curves it more than q does. With the second there is a root where Newton's last step ends, a step of
-    /// `b² ≤ ROOT·A/Q`: Kantorovich asks for `A ≥ 4·Q·b`, and so for `A ≥ 16·Q·ROOT`.
+    /// A slope A above the first term makes g rise behind the root to A²/(4·q), more than the tolerance, if
+    /// `g″/2 ≥ −q` there. A slope above the second makes certain that there is a root near where Newton's
+    /// last step ends. That step, b, has `b² ≤ ROOT·A/Q`; Kantorovich's theorem asks for `A ≥ 4·Q·b`, which
+    /// follows from `A ≥ 16·Q·ROOT`.
     pub slack: f32,
-    /// ROOT/Q. A step `b² ≤ step_tolerance·A` leaves an error of `Q·b²/A`, ROOT at most.
+    /// ROOT/Q. A step b of Newton's method with `b² ≤ step_tolerance·A` leaves an error of `Q·b²/A` in s,
+    /// which is ROOT at most.
     pub step_tolerance: f32,
 }
 
 impl RowPart {
-    /// Half the number of pixels.
+    /// Half the number of columns of the part.
     #[inline(always)]
     pub fn half(&self) -> f32 {
         0.5 * (self.end - self.start) as f32
     }
 
-    /// The column half way, or, of an even number of pixels, half way between two.
+    /// The number of the part's middle column, counted in the whole row; if there are two, the mean of both
+    /// numbers.
     #[inline(always)]
     pub fn center(&self) -> f32 {
         self.start as f32 - 0.5 + self.half()
@@ -107,35 +110,35 @@ impl RowPart {
 }
 
 impl<'a> RowBounds<'a> {
-    /// The bounds of a part's rays in the frame, counted from the one half way, whose M is perpendicular to
-    /// it. `shift` and `unit` are as in [`RowBounds`]; `rough` is the size of the numbers, in the frame, as
-    /// which origins were rounded.
+    /// The bounds of a part's rays. These are given in the frame and counted from the middle one, whose M and
+    /// D are perpendicular. `shift` and `unit` are as in [`RowBounds`]. `rough` bounds the sum of the
+    /// coordinates, in the frame, to which the origins of the rays were rounded one by one, or is zero.
     #[inline(always)]
     pub fn new(lathe: View<'a>, rays: &RayRow, shift: f32, unit: f32, rough: f32, part: &RowPart) -> Self {
         let (half, center) = (part.half(), part.center());
         let frame = lathe.frame;
         let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *rays;
-        // |M + s·D| ≤ size means |s| ≤ |M·D|/D² + size/|D|. M·D is zero half way, and D² and q lie above their tangents
-        // there.
+        // If |M + s·D| ≤ size, then |s| ≤ |M·D|/D² + size/|D|. Of the middle ray M·D is zero. D² and q are
+        // convex in the pixel's number, and so no less than their tangents at the middle.
         let square = dot(d, d);
         let least = square - 2.0 * half * dot(d, d1).abs();
         let length = Native::sqrt(least);
         let across = half * (dot(m, d1) + dot(m1, d)).abs() + half * half * dot(m1, d1).abs();
         let span = (across / length + frame.size) / length;
         let distance = shift.abs() * length + frame.size + rough;
-        // What rounding can do to a place, and to g: four times what it was seen to do.
+        // Bounds of what rounding can do to a point, and to g: four times the most that was measured.
         let slip = LENGTH_TOLERANCE * distance;
         let rounding = frame.g_tolerance * distance;
         let tolerance = TOLERANCE + rounding;
-        // Where one of the rays is within the ball, the one half way is within a larger one, by how far they
-        // are apart.
+        // If any of the rays meets the ball, the middle one meets a ball that is larger by the distance
+        // between the two rays.
         let near = WIDENED * frame.size + slip + half * (one_norm(m1) + span * one_norm(d1));
         let is_outside_ball = dot(m, m) > near * near;
         let q = dot_xy(d, d) - 2.0 * half * dot_xy(d, d1).abs();
         let steep = d.z.abs() + half * d1.z.abs();
         let drift = m1.z.abs() + span * d1.z.abs();
-        // Of use: if no ray is shorter than half the one half way, so that no bound is more than doubled by the spread; if the
-        // eye is outside the span; and if rounding leaves something to decide.
+        // Of use: if no ray is shorter than half the one half way, so that no bound is more than doubled by
+        // the spread; if the eye is outside the span; and if rounding leaves something to decide.
         let is_usable = !frame.has_rings
             && least > 0.25 * square
             && q > 0.0
@@ -165,11 +168,12 @@ impl<'a> RowBounds<'a> {
             let pixel = center + nearest_pixel(rays, vector([0.0, 0.0, height]));
             part.start.max(part.end.min((pixel + 0.5) as u32))
         };
-        // The longest ray of a usable row has D² ≤ 2·square: from D² = square + 2i·⟨D, D₁⟩ + i²·D₁², since
-        // the eye is outside the span, which is at least half²·D₁²·shift/least, half²·D₁² < least = square −
-        // 2·half·|⟨D, D₁⟩|. The rest is for rounding.
+        // In a usable row D² ≤ 2·square for every ray, square being that of the middle one. For D² = square +
+        // 2i·⟨D, D₁⟩ + i²·D₁². The span is at least half²·D₁²·shift/least; the eye is outside of the span,
+        // that is shift > span; so half²·D₁² < least, and least = square − 2·half·|⟨D, D₁⟩|. The rest of 2.25
+        // is for rounding.
         let longest = 2.25 * square;
-        // A bound of |g″/2| on any of them.
+        // A bound of |g″/2| along any of the rays.
         let most = longest + frame.curvature * (steep * steep);
         let has_one_side = is_usable && !part.is_shared && d.z.abs() > half * d1.z.abs();
         Self {
@@ -197,8 +201,8 @@ impl<'a> RowBounds<'a> {
 }
 
 /// How much g can differ, at the same s within the span, between the rays a pixel before the one half way and
-/// a pixel after it; `drop` bounds how much F differs. Over n pixels it is n times as much: what differs in
-/// x² + y² are the terms that change their sign with the pixel's number.
+/// a pixel after it; `drop` bounds how much F differs. For n pixels before and after it is n times as much:
+/// x² + y² is quadratic in the pixel's number, and only its linear term differs.
 #[inline(always)]
 fn asymmetry(rays: &RayRow, span: f32, drop: f32) -> f32 {
     let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *rays;
@@ -208,15 +212,16 @@ fn asymmetry(rays: &RayRow, span: f32, drop: f32) -> f32 {
 
 /// The plane of a row's rays.
 struct Plane {
-    /// The height at which it meets the axis.
+    /// The height at which the plane meets the axis.
     height: f32,
-    /// By how much its heights within a cylinder around the axis differ from that at most.
+    /// The largest difference from that height at any point of the plane within a cylinder around the axis.
     slope: f32,
 }
 
 impl Plane {
-    /// The plane of the rays, given the square of the cylinder's radius. At each height the plane has a line,
-    /// whose distance from the axis is proportional to the height from where the plane meets it.
+    /// The plane of the rays; `reach` is the square of the cylinder's radius. The distance from the axis of
+    /// the plane's line at a height is proportional to how far the height is from where the plane meets the
+    /// axis.
     #[inline(always)]
     fn of(rays: &RayRow, reach: f32) -> Self {
         let normal = cross(rays.origin_step, rays.direction);
@@ -226,7 +231,7 @@ impl Plane {
     }
 }
 
-/// About how many pixels from the one half way the ray is that passes nearest to a point.
+/// About which pixel's ray passes nearest to a point, counted from the middle of the part, and not rounded.
 #[inline(always)]
 fn nearest_pixel(rays: &RayRow, point: F32x3) -> f32 {
     let RayRow { origin, origin_step, direction, direction_step } = *rays;

@@ -1,13 +1,13 @@
-//! Pixels whose rays come in through a cap. Nothing hides it, for a usable row's rays begin outside the
-//! solid's ball.
+//! Pixels whose rays come in through a cap. That is then the first thing they meet: the rays of a usable row
+//! begin outside of the ball around the solid, and all of the solid lies on the far side of the cap's plane.
 
 use super::sweep::{Span, Sweep};
 use crate::vector::dot_xy;
 
 impl Sweep<'_> {
     /// The span of pixels, from the i-th on, whose rays come in through a cap, clear of its rim by more than
-    /// the tolerance. `None` if the i-th is not such a pixel, or if not all of the row's rays rise, or all
-    /// fall.
+    /// the tolerance. `None` if the i-th is not such a pixel, or if the rays of the row neither all rise nor
+    /// all fall.
     #[inline(always)]
     pub(super) fn cap_span(&self, i: u32) -> Option<Span> {
         let frame = self.bounds.lathe.frame;

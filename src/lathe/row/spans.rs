@@ -1,4 +1,4 @@
-//! From span to span: what the next pixels see, asked in the order of what it costs.
+//! From span to span: what the next pixels see. The cheapest test comes first.
 
 use super::certify::Certification;
 use super::skip::Probe;
@@ -6,11 +6,11 @@ use super::sweep::{RootStart, STEPS, Span, Sweep, TrackEnd};
 use crate::hit::{Hit, Part};
 
 impl Sweep<'_> {
-    /// The span that begins with the i-th pixel, i less than [`Sweep::len`]: of each kind in turn, unless it
-    /// would be empty, a tracked root, a cap, pixels that miss, and at last a single ray.
+    /// The span that begins with the i-th pixel; i must be less than [`Sweep::len`]. A tracked root is tried
+    /// first, then a cap, then pixels that miss; if each of these would have no pixel, it is a single ray.
     ///
-    /// To be called with what the span before says, its `to`, or what [`Sweep::track`] returned, or, after a
-    /// single ray, the pixel after it. It begins to track roots, certifies them, and ceases to track them.
+    /// The next i is the `to` of the span, or, of a tracked one, what [`Sweep::track`] returned, or, after a
+    /// single ray, i + 1. This function begins to track roots, certifies them, and ends tracking.
     #[inline(always)]
     pub fn next(&mut self, i: u32) -> Span {
         if let Some(end) = self.root.end.take() {
@@ -42,8 +42,8 @@ impl Sweep<'_> {
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
-        // The left half begins with the last root that the right one looked for, most often the one it began
-        // with.
+        // The left half begins with the last root that a probe of the right half found. Most often that is
+        // the one that the right half began with.
         let probe = match self.root.start {
             Some(start) if i == 0 => Probe::MayMeet(Some(start)),
             _ => self.probe(i),
@@ -58,9 +58,10 @@ impl Sweep<'_> {
         probe
     }
 
-    /// Goes on where tracking ended before the i-th pixel: in the next segment, or by a new certificate. If
-    /// neither does, no root is tracked, and the i-th pixel need not be probed: a probe would find the same
-    /// root.
+    /// Continues where tracking ended before the i-th pixel: in the next segment, with a new certificate, or
+    /// with another root that may be nearer. If none of these is possible, no root is tracked from here on,
+    /// and the i-th pixel is not to be probed, unless tracking ended because it diverged: a probe would find
+    /// the same root.
     #[inline(never)]
     fn resume(&mut self, i: u32, end: TrackEnd) {
         let root = &mut self.root;
@@ -71,7 +72,7 @@ impl Sweep<'_> {
             TrackEnd::LeftDownwards => Some(root.index.wrapping_sub(1)),
             TrackEnd::Uncertified => None,
             TrackEnd::Diverged => {
-                // Where it is no longer the root may be probed for anew.
+                // The root has moved: a probe of this pixel may find it at its new place.
                 root.is_tracked = false;
                 return;
             }

@@ -1,11 +1,11 @@
-//! The traversal of a row: neighbouring rays, one after another, each looked at in the light of what the last
-//! one met.
+//! The traversal of a row: neighbouring rays, one after another; what one ray meets is the first guess for
+//! the next.
 //!
-//! In the lathe's frame the rays of a row are `P = M + s·D`, M and D linear in the pixel's number i, with s
-//! counted from where the row passes the solid. Pixels are counted from the one whose ray passes nearest to
-//! the axis, 0, to the right, and, in the other half of the row, to the left. So silhouettes are met from
-//! within; beyond one the rays diverge from the solid, and one probe certifies that the rest of the half
-//! misses.
+//! In the lathe's frame the rays of a row are `P = M + s·D`. M and D are linear in the pixel's number i, and
+//! s is zero near the point where the ray passes the solid. Pixel 0 is the one whose ray passes nearest to
+//! the axis; from there pixels are counted to the right, and then, for the other half of the row, to the
+//! left. So silhouettes are met from within; beyond a silhouette the rays diverge from the solid, and one
+//! probe certifies that the rest of the half misses.
 
 use super::bounds::RowBounds;
 use super::ray_row::RayRow;
@@ -13,25 +13,24 @@ use crate::lathe::ray::LocalRay;
 use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
 
-/// How often a step of Newton's method, or a change of segment, is tried before the pixel is cast as a ray of
-/// its own.
+/// How many steps of Newton's method, or changes of segment, are tried for a pixel before it becomes a
+/// *single ray*.
 ///
-/// Each step squares the error, in units of the slope over the curvature: from a quarter of that, four come
-/// below f32's roundoff, (2⁻²)¹⁶ = 2⁻³². What takes longer lies beside a double root, where the row decides
-/// nothing anyway.
+/// Each step squares the error, if that is measured in units of the slope over the curvature. From an error
+/// of 1/4, four steps come to (2⁻²)¹⁶ = 2⁻³², below f32's roundoff. A root that takes longer lies beside a
+/// double root, in the *undecided band*.
 pub(super) const STEPS: u32 = 4;
 
 /// Neighbouring pixels that are alike. The i-th pixel is the first of each; `to` is the one after the last.
 pub(crate) enum Span {
-    /// A root is tracked, and, unless tracking ends before, known to be the nearest: to be painted by
-    /// [`Sweep::track`].
+    /// A root is tracked. [`Sweep::track`] hands over what these pixels see; it may end before `to`.
     Tracked { to: u32 },
     /// A cap is seen: the upper one if `up` is 1, the lower one if it is −1.
     Cap { to: u32, up: f32 },
-    /// The solid is missed. `to` may lie beyond the end.
+    /// The rays miss the solid. `to` may be more than [`Sweep::len`].
     Empty { to: u32 },
-    /// Undecided: the i-th pixel is to be cast as a ray of its own, and a hit to be reported by
-    /// [`Sweep::found`].
+    /// The row is undecided: a ray of its own is to be cast for the i-th pixel alone, and a hit to be
+    /// reported with [`Sweep::found`].
     Single,
 }
 
@@ -45,7 +44,8 @@ pub(crate) struct Sweep<'a> {
 
 /// Which way pixels are counted: changed by [`Sweep::reverse`] alone.
 pub(super) struct Direction {
-    /// M and D, in the frame, x scaled by √k. Pixel i is at i + ½.
+    /// M and D, in the frame, x scaled by √k, counted from the left edge of the right half's first pixel:
+    /// pixel i is at i + ½.
     pub rays: RayRow,
     /// Whether pixels are counted to the left.
     pub is_reversed: bool,
@@ -56,26 +56,29 @@ pub(super) struct Direction {
 /// The root that is tracked, if one is, and what the search for one has come to.
 pub(super) struct TrackedRoot<'a> {
     pub is_tracked: bool,
-    /// 1 if the ray enters the solid at the root, −1 if it leaves it. One that leaves is tracked as one that
-    /// enters along the ray reversed: `sign·s` is what is kept of it.
+    /// 1 if the ray enters the solid at the root, −1 if it leaves it. A root where the ray leaves is tracked
+    /// as one where the reversed ray enters: its s has the other sign there.
     pub sign: f32,
-    /// `sign·s` predicted for the next pixel, its last change from pixel to pixel, and the change of that.
+    /// `sign·s` as predicted for the next pixel; its last change from pixel to pixel; and the last change of
+    /// that.
     pub s: f32,
     pub step: f32,
     pub bend: f32,
-    /// The segment that the root is in. `segment` is that of number `index` once the root has been looked for
-    /// there.
+    /// The segment that the root is in, as an index and by reference. After [`TrackedRoot::begin`] only
+    /// `index` is right, until [`Sweep::next`] has looked the segment up.
     pub index: usize,
     pub segment: &'a Segment,
     /// Why it is the nearest.
     pub certificate: Certificate,
     /// Why tracking ended, until [`Sweep::next`] has seen to it.
     pub end: Option<TrackEnd>,
-    /// How many changes of segment or of the root may still be tried before a pixel has to be found.
+    /// One more than the number of times that the segment, the root or its certificate may still be changed
+    /// before the root must be found at a pixel.
     pub tries: u32,
-    /// A pixel that need not be probed: it was in vain, or would be.
+    /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
+    /// there is none.
     pub probed: u32,
-    /// Where the last probe that could not rule out a root says that it may be.
+    /// What the last probe that could not certify a miss said about where a root may be.
     pub start: Option<RootStart>,
 }
 
@@ -88,20 +91,21 @@ pub(super) enum TrackEnd {
     Uncertified,
     /// The root has left the segment through its upper end.
     LeftUpwards,
-    /// Through its lower end.
+    /// The root has left the segment through its lower end.
     LeftDownwards,
     /// Newton's method finds no root.
     Diverged,
 }
 
-/// Why a tracked root is its ray's nearest: one of two tests a pixel, and how long both hold.
+/// Why a tracked root is its ray's nearest: a test of the slope at each pixel, a second one where that fails,
+/// and how long they hold.
 pub(super) struct Certificate {
-    /// The root is the nearest if the slope of g is more than this.
+    /// The root is the nearest if the slope of g at it is more than this.
     pub slope: f32,
-    /// If it is not, by [`Sweep::is_nearest_by_cubic`], given this: |f₃| of the root's own segment, or zero
-    /// if the test would say no more than the slope.
+    /// For the second test, [`Sweep::is_nearest_by_cubic`]: |f3| of the root's own segment, or zero if the
+    /// slope alone suffices in that segment.
     pub bump: f32,
-    /// The first pixel that it does not hold for.
+    /// The first pixel for which the certificate does not hold.
     pub until: u32,
 }
 
@@ -109,14 +113,14 @@ pub(super) struct Certificate {
 #[derive(Clone, Copy)]
 pub(super) struct RootStart {
     pub index: usize,
-    /// About where it is, along the ray.
+    /// About where the root is along the ray.
     pub s: f32,
-    /// Whether the ray enters the solid there, 1, or leaves it, −1.
+    /// 1 if the ray enters the solid there, −1 if it leaves it.
     pub sign: f32,
 }
 
 impl<'a> TrackedRoot<'a> {
-    /// No root, in a lathe of which `segment` is any segment.
+    /// No root is tracked. `segment` may be any segment of the lathe.
     pub fn none(segment: &'a Segment) -> Self {
         Self {
             is_tracked: false,
@@ -134,7 +138,7 @@ impl<'a> TrackedRoot<'a> {
         }
     }
 
-    /// Begins to track a root near a place, uncertified as yet: no certificate holds for any pixel.
+    /// Begins to track a root near a place. It has no certificate yet: that of the last root is ended.
     pub fn begin(&mut self, RootStart { index, s, sign }: RootStart) {
         (self.sign, self.s, self.step, self.bend) = (sign, sign * s, 0.0, 0.0);
         (self.index, self.certificate.until, self.is_tracked) = (index, 0, true);
@@ -172,14 +176,15 @@ impl Sweep<'_> {
         self.bounds.middle - 1 - i
     }
 
-    /// A normal of the plane that reflects the right half of the row into the left one, in object space, if
-    /// one does; then the right half tells what both see.
+    /// A normal, in object space, of the plane that reflects the right half of the row into the left one;
+    /// then only the right half is swept. `None` if there is no such plane.
     pub fn mirror(&self) -> Option<F32x3> {
         self.bounds.is_mirrored.then_some(self.direction.rays.origin_step)
     }
 
-    /// Goes over to the left half of the row, counted to the left, with no root tracked. False, and no
-    /// change, if it is the right one's mirror image or has been swept.
+    /// Turns to the left half of the row, where pixels are counted to the left, with no root tracked, and
+    /// returns true. Returns false and changes nothing if the left half is the mirror image of the right one,
+    /// or if this has been done before.
     pub fn reverse(&mut self) -> bool {
         let Self { bounds, direction, root } = self;
         if bounds.is_mirrored || direction.is_reversed {
@@ -190,7 +195,8 @@ impl Sweep<'_> {
         true
     }
 
-    /// The i-th ray, with s for its t. Not inline: three functions call it, and none of them often.
+    /// The ray of the given M and D, with s for its t. Not inline: it is rarely called, and from three
+    /// functions.
     #[inline(never)]
     pub(super) fn path(&self, (m, d): (F32x3, F32x3)) -> LocalRay {
         LocalRay::through(m, d)

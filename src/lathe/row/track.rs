@@ -1,5 +1,5 @@
-//! A root, tracked from ray to ray: predicted from its last changes, corrected by Newton's method. The
-//! innermost loop.
+//! The innermost loop: a root is tracked from ray to ray, predicted from its last changes and corrected by
+//! Newton's method.
 
 use super::normal::{Seen, Wall};
 use super::sweep::{STEPS, Sweep, TrackEnd};
@@ -7,13 +7,15 @@ use crate::math::cold_path;
 use crate::math::minmax::greater;
 use crate::vector::{F32x3, dot_xy, vector};
 
-/// How many pixels are tracked in one go: M and D grow by addition, 64 of which are off by 64·2⁻²⁴ of the
-/// solid's size at most, and g by four times that, 2⁻¹⁶: a sixteenth of the tolerance.
+/// How many pixels at most are tracked in one call.
+///
+/// From pixel to pixel M and D grow by an addition. After 64 of these they are off by 64·2⁻²⁴ of the solid's
+/// size at most, and g by four times that, 2⁻¹⁶, which is a sixteenth of the tolerance.
 const MOST_PIXELS: u32 = 64;
 
 impl Sweep<'_> {
-    /// The pixel up to which the tracked root may be tracked from the i-th: none if it is not certified
-    /// there.
+    /// The pixel before which a call of [`Sweep::track`] that begins with the i-th must end. It is i or less
+    /// if the root has no certificate for the i-th pixel.
     #[inline(always)]
     pub(super) fn limit(&self, i: u32) -> u32 {
         (i + MOST_PIXELS.min(self.direction.len - i)).min(self.root.certificate.until)
@@ -27,9 +29,8 @@ impl Sweep<'_> {
         let Self { bounds, root, .. } = &*self;
         let (segment, sign) = (root.segment, root.sign);
         let wall = Wall::new(segment, sign, bounds.lathe.frame.root_squash);
-        // A root that leaves is one that enters if the ray is reversed. The reversed ray is mirrored in the
-        // plane y = 0 as well: the y of its points is that of the other side's normal, as the wall expects
-        // it.
+        // Where a ray leaves the solid, the reversed ray enters it. So for sign = −1 the ray is reversed. It
+        // is also mirrored in the plane y = 0, since `Wall::seen` takes `sign·y`.
         let point = |p: F32x3, low: f32| vector([p.x, sign * p.y, (p.z - low) * segment.per_height]);
         let toward = |d: F32x3| vector([sign * d.x, d.y, d.z * (sign * segment.per_height)]);
         let (m, d) = self.ray(i);
@@ -39,7 +40,7 @@ impl Sweep<'_> {
         let [c0, c1, c2, c3] = segment.f;
         let certain = root.certificate.slope;
         let step_tolerance = bounds.step_tolerance;
-        // Within the tolerance of the solid's ends, in height, nothing is decided.
+        // Within the tolerance of the solid's ends, in height, the row decides nothing.
         let pad = bounds.tolerance * segment.per_height;
         let from = if root.index == 0 { pad } else { 0.0 };
         let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { 0.0 };
@@ -62,8 +63,8 @@ impl Sweep<'_> {
                 let steep = f1 * d.z - (b + b);
                 let back = (f - (x * x + y * y)) / steep;
                 s -= back;
-                // A step leaves an error of no more than `back²·|g″/2|/slope`. A slope of NaN or below zero
-                // fails.
+                // After a step the error is at most `back²·|g″/2|/steep`. If `steep` is NaN or negative the
+                // test fails.
                 if !(back * back <= step_tolerance * steep) {
                     cold_path();
                     tries -= 1;
@@ -74,7 +75,7 @@ impl Sweep<'_> {
                     continue;
                 }
                 let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
-                // As integers, numbers below zero and NaN are greater than all others.
+                // Compared by their bits, as integers, negative numbers and NaN are greater than all others.
                 if (u - from).to_bits() > width {
                     end = if u > 0.5 { TrackEnd::LeftUpwards } else { TrackEnd::LeftDownwards };
                     break 'pixels;
@@ -86,7 +87,8 @@ impl Sweep<'_> {
                 see(&wall.seen(x, y, u));
                 break;
             }
-            // By second differences: what the prediction was off by is the change of the change.
+            // The prediction is by second differences: the error of the last one is added to `bend`, the
+            // second.
             bend += s - predicted;
             step += bend;
             s += step + bend;

@@ -18,6 +18,7 @@ use crate::vector::{F32x3, array, cross, difference, dot, one_norm, scale, unit,
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
+    /// Where the camera is.
     pub(crate) eye: F32x3,
     /// The unit vector of the view.
     pub(crate) forward: F32x3,
@@ -25,6 +26,7 @@ pub struct Camera {
     pub(crate) right: F32x3,
     /// The vector upwards from the picture's middle, as long as `right`.
     pub(crate) up: F32x3,
+    /// Whether the rays meet in the eye or are parallel.
     pub(crate) projection: Projection,
 }
 
@@ -39,14 +41,14 @@ pub(crate) enum Projection {
 }
 
 impl Camera {
-    /// A camera whose rays start at `eye`. The half-width is that of the picture at unit distance: the
-    /// tangent of half the angle of view.
+    /// A camera whose rays start at `eye`. `half_width` is half the width of the picture at unit distance
+    /// from the eye: the tangent of half the horizontal angle of view.
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if the eye is where it looks at, if `up` is zero or along the view, if a number is
-    /// infinite or NaN, or if the half-width is below 10⁻⁶, where f32's steps beside 1 are a sixteenth of it,
-    /// or above 30, which is an angle of view of 176°.
+    /// [`SceneError`] if `eye` and `look_at` are the same point, if `up` is zero or parallel to the view, if
+    /// a number is infinite or NaN, or if the half-width is outside 10⁻⁶ to 30. At 10⁻⁶ the spacing of f32
+    /// numbers just below 1 is already a sixteenth of the half-width; 30 is an angle of view of 176°.
     pub const fn perspective(
         eye: [f32; 3],
         look_at: [f32; 3],
@@ -56,13 +58,14 @@ impl Camera {
         Self::new([eye, look_at, up], half_width, [1e-6, 30.0], Projection::Perspective)
     }
 
-    /// A camera with parallel rays. The half-width is that of the picture, in the world's unit of length.
-    /// What lies behind the plane through the eye is not seen.
+    /// A camera with parallel rays, which start in the plane through the eye at a right angle to the view:
+    /// the camera does not see what lies behind that plane. `half_width` is half the width of the picture, in
+    /// the world's unit of length.
     ///
     /// # Errors
     ///
-    /// As [`Camera::perspective`], but the half-width may be from 10⁻¹⁵ to 10¹⁵, as the largest radius of a
-    /// profile may.
+    /// The same as those of [`Camera::perspective`], but the half-width may be from 10⁻¹⁵ to 10¹⁵, the limits
+    /// of a profile's largest radius.
     pub const fn orthographic(
         eye: [f32; 3],
         look_at: [f32; 3],
@@ -72,6 +75,7 @@ impl Camera {
         Self::new([eye, look_at, up], half_width, [1e-15, 1e15], Projection::Orthographic)
     }
 
+    /// A camera of either kind; `least` and `most` are the limits of its half-width.
     const fn new(
         [eye, look_at, up]: [[f32; 3]; 3],
         half_width: f32,
@@ -89,9 +93,9 @@ impl Camera {
             return Err(along);
         };
         let right = cross(forward, up);
-        // The sine of the angle between view and up direction must be more than 10⁻⁶. Of a parallel pair
-        // rounding leaves 6.5·2⁻²⁴ = 4·10⁻⁷ at most: 2⁻²⁴ each from the difference and from making both unit
-        // vectors, 2·√3·2⁻²⁴ from the cross product.
+        // The sine of the angle between the view and the up direction must be more than 10⁻⁶. For a parallel
+        // pair the computed sine is not zero, but at most 6.5·2⁻²⁴ = 4·10⁻⁷, because of rounding: 2⁻²⁴ comes
+        // from the difference, 2⁻²⁴ from each of the two unit vectors, and 2·√3·2⁻²⁴ from the cross product.
         if !(dot(right, right) > 1e-12) {
             return Err(along);
         }
@@ -120,36 +124,38 @@ impl Camera {
         array(self.forward)
     }
 
-    /// From the middle of the picture to the middle of its right edge: as long as the half-width, at a right
-    /// angle to the view. A perspective camera's picture is at unit distance from the eye.
+    /// The vector from the middle of the picture to the middle of its right edge. It is as long as the
+    /// half-width, and at a right angle to the view. A perspective camera's picture is at unit distance from
+    /// the eye.
     #[must_use]
     pub const fn right(&self) -> [f32; 3] {
         array(self.right)
     }
 
-    /// From the middle of the picture upwards, as long as [`right`](Self::right) and at a right angle to it
-    /// and to the view.
+    /// The vector upwards from the middle of the picture. It is as long as [`right`](Self::right), and at a
+    /// right angle to it and to the view.
     #[must_use]
     pub const fn up(&self) -> [f32; 3] {
         array(self.up)
     }
 
     /// The ray through the centre of the pixel in column x, row y, of a picture of the given size in pixels;
-    /// x and y may lie outside of it. A picture that is no pixel wide has no pixels: any x and y give the ray
-    /// through its middle.
+    /// x and y may lie outside of it. If `width` is 0, every x and y give the ray through the middle of the
+    /// picture.
     ///
-    /// Its t counts in units of the world's along the view: in perspective it is the depth.
+    /// The ray's direction has length 1 along the view. So a hit's t is its depth: the distance, measured
+    /// along the view, from the plane through the eye.
     #[must_use]
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
         self.ray_through([x as f32, y as f32], width, height)
     }
 
-    /// As [`Camera::ray`], for a column and a row that need not be whole or positive.
+    /// Does what [`Camera::ray`] does, for a column and a row that may be fractions and negative.
     #[inline(always)]
     pub(crate) fn ray_through(&self, [x, y]: [f32; 2], width: u32, height: u32) -> Ray {
-        // Over infinity, all distances from the picture's middle are zero.
+        // Divided by infinity, the distances of all pixels from the picture's middle are zero.
         let half_pixels = if width == 0 { f32::INFINITY } else { width as f32 };
-        // Centres, in half-pixels from the picture's centre: whole numbers.
+        // The pixel's centre, counted in half-pixels from the picture's centre, is a whole number.
         let [across, down] =
             [(x, width), (y, height)].map(|(i, of)| (2.0 * i + 1.0 - of as f32) / half_pixels);
         let offset = self.right * across - self.up * down;
@@ -163,22 +169,26 @@ impl Camera {
 /// A row of a picture, and the camera that sees it.
 #[derive(Clone, Copy)]
 pub(crate) struct Row<'a> {
+    /// The camera that sees the row.
     pub camera: &'a Camera,
+    /// The row's number, 0 at the top.
     pub y: u32,
+    /// How many pixels the picture is wide.
     pub width: u32,
+    /// How many pixels the picture is high.
     pub height: u32,
 }
 
 impl Row<'_> {
-    /// The ray of pixel i.
+    /// The ray through the centre of the pixel in column i.
     pub fn ray(&self, i: u32) -> Ray {
         self.camera.ray(i, self.y, self.width, self.height)
     }
 
-    /// A bound on the coordinates, added up, of the origins of the row's rays, if each has an origin of its
-    /// own, which is then rounded by itself: the eye's, and the offset of a pixel in the row. Zero if all
-    /// rays share the eye.
-    pub fn rough(&self) -> f32 {
+    /// An upper bound of |x| + |y| + |z| over the origins of the row's rays, for the rounding of each origin.
+    /// In orthographic view each ray has an origin of its own: the eye plus the pixel's offset, rounded. In
+    /// perspective all rays start at the eye, which is not rounded; then the result is zero.
+    pub fn origin_bound(&self) -> f32 {
         let Camera { eye, right, up, projection, .. } = self.camera;
         match projection {
             Projection::Perspective => 0.0,
@@ -189,8 +199,8 @@ impl Row<'_> {
         }
     }
 
-    /// The difference between the rays of neighbouring pixels: of their directions in perspective, else of
-    /// their origins.
+    /// The difference between the rays of neighbouring pixels, and the projection: in perspective it is the
+    /// difference of their directions, in orthographic view that of their origins.
     pub fn step(&self) -> (F32x3, Projection) {
         (self.camera.right * (2.0 / self.width as f32), self.camera.projection)
     }
@@ -231,13 +241,13 @@ mod tests {
                 let row = Row { camera: &camera, y, width, height };
                 for x in [0, width / 2, width - 1] {
                     let size = one_norm(row.ray(x).origin);
-                    assert!(size <= row.rough() * (1.0 + 1.0 / 2_097_152.0), "{size} at {x}, {y}");
-                    nearly += u32::from(2.0 * size > row.rough());
+                    assert!(size <= row.origin_bound() * (1.0 + 1.0 / 2_097_152.0), "{size} at {x}, {y}");
+                    nearly += u32::from(2.0 * size > row.origin_bound());
                 }
             }
         }
         assert!(nearly > 10, "the bound is loose: {nearly}");
         let one_eye = Camera::perspective([3.0, -4.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0], 0.3).unwrap();
-        assert_eq!(Row { camera: &one_eye, y: 3, width: 7, height: 9 }.rough(), 0.0);
+        assert_eq!(Row { camera: &one_eye, y: 3, width: 7, height: 9 }.origin_bound(), 0.0);
     }
 }

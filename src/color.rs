@@ -1,4 +1,4 @@
-//! Colors as the renderer computes with them, and the colors of displays that it computes them for.
+//! The renderer's colors, and the trait of the display colors that it converts them to.
 
 use crate::math::minmax::lesser;
 
@@ -47,8 +47,8 @@ impl Rgb {
         Self::new(share, share, share)
     }
 
-    /// This color in shades, of which each channel has as many as `most` says. A channel below 0 or NaN
-    /// becomes 0, and one above 1 becomes all of its shades.
+    /// This color in shades: each channel times that of `most`, its number of shades. A channel below 0 or
+    /// NaN counts as 0, and one above 1 as 1.
     #[inline(never)]
     pub(crate) fn shades(self, most: Self) -> Shades {
         let cut = |share: f32, most: f32| lesser(share, 1.0) * most;
@@ -65,8 +65,9 @@ impl Rgb {
     }
 }
 
-/// A color in the *shades* of a display, as [`Paint::shade`] gets it: red, green and blue in fixed point, in
-/// units of 2⁻²³ of one shade, so that light is cast on it by three integer multiplications.
+/// A color in the *shades* of a display, which [`Paint::shade`] receives: red, green and blue in fixed point,
+/// in units of 2⁻²³ of one shade. With it the renderer scales a color by a share of light in three integer
+/// multiplications.
 ///
 /// ```
 /// use embedded_lathe::{Paint, Rgb, Shades};
@@ -88,8 +89,9 @@ impl Rgb {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shades {
-    // What `Paint::shade` gets carries half a shade more in each channel, a rounding bias: its whole part is
-    // the nearest shade. All channels stay below 256 shades with it, so that no sum overflows.
+    // The shades that `Paint::shade` receives have half a shade added to each channel, the rounding bias: so
+    // the whole part of a channel is its nearest shade. With the bias each channel stays below 256 shades,
+    // which are 2³¹ units, so that no sum of two overflows.
     pub(crate) r: u32,
     pub(crate) g: u32,
     pub(crate) b: u32,
@@ -106,8 +108,8 @@ impl Shades {
         [nearest(self.r), nearest(self.g), nearest(self.b)]
     }
 
-    /// Red, green and blue in units of which [`Shades::ONE`] make a shade: what a display of few shades
-    /// dithers.
+    /// Red, green and blue in units of 1/[`Shades::ONE`] of a shade, not rounded to whole shades: the numbers
+    /// that a display of few shades dithers.
     #[must_use]
     #[inline]
     pub const fn units(self) -> [u32; 3] {
@@ -115,13 +117,13 @@ impl Shades {
         [self.r.saturating_sub(HALF), self.g.saturating_sub(HALF), self.b.saturating_sub(HALF)]
     }
 
-    /// Shades in fixed point, from as many as a color says; each channel must be below 256.
+    /// Converts numbers of shades to fixed point; each channel must be below 256.
     pub(crate) const fn of(shades: Rgb) -> Self {
         const ONE: f32 = Shades::ONE as f32;
         Self { r: (shades.r * ONE) as u32, g: (shades.g * ONE) as u32, b: (shades.b * ONE) as u32 }
     }
 
-    /// These shades times a share of light.
+    /// Each channel of these shades times `share`.
     #[inline(always)]
     pub(crate) fn dimmed(self, Share(share): Share) -> Self {
         let part = |shade: u32| ((u64::from(shade) * u64::from(share)) >> 32) as u32;
@@ -138,13 +140,13 @@ impl Shades {
         }
     }
 
-    /// These shades with the rounding bias of half a shade, as [`Paint::shade`] gets them.
+    /// These shades with the rounding bias, half a shade more in each channel, for [`Paint::shade`].
     #[inline(always)]
     pub(crate) const fn rounded(self) -> Self {
         self.with(Self { r: Self::ONE / 2, g: Self::ONE / 2, b: Self::ONE / 2 })
     }
 
-    /// The difference of these shades and others, which must not be more.
+    /// These shades minus others. No channel of `other` may be larger than the same channel of these.
     pub(crate) const fn without(self, other: Self) -> Self {
         Self {
             r: self.r.wrapping_sub(other.r),
@@ -168,17 +170,17 @@ impl Shades {
 pub(crate) struct Share(u32);
 
 impl Share {
-    /// How many units 1 has.
+    /// How many units make the number 1.
     pub const UNITS: f32 = 4_294_967_296.0;
 
-    /// A number of units. The conversion to an integer saturates: below 0 and NaN it gives 0, above 1 it
-    /// gives 1.
+    /// The share of that many units. A negative number and NaN give the share 0; 2³² units and more give the
+    /// share 1.
     #[inline(always)]
     pub const fn new(units: f32) -> Self {
         Self(units as u32)
     }
 
-    /// A number from 0 to 1. Outside it saturates as [`Share::new`] does.
+    /// The share x, from 0 to 1. A negative x and NaN give 0, an x above 1 gives 1.
     pub const fn of_one(x: f32) -> Self {
         Self::new(x * Self::UNITS)
     }
@@ -186,8 +188,7 @@ impl Share {
 
 /// A color that a picture can be painted in.
 ///
-/// Implemented for [`Rgb`] and for the colors of embedded-graphics, those of few shades by ordered
-/// dithering.
+/// [`Rgb`] and the colors of embedded-graphics implement it; those of few shades use ordered dithering.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
@@ -199,8 +200,8 @@ impl Share {
 /// assert_eq!(on.count(), 13);
 /// ```
 pub trait Paint: Copy {
-    /// How many shades above black red, green and blue have: what a share of 1 is in shades. Each is from 0
-    /// to 255; a color that is painted with more, or with fewer than none, does not compile.
+    /// How many shades above black red, green and blue have: a channel of 1 is this many shades. Each number
+    /// must be from 0 to 255; otherwise painting in this color does not compile.
     ///
     /// ```compile_fail
     /// use embedded_lathe::{Paint, Rgb, Shades};
@@ -220,10 +221,11 @@ pub trait Paint: Copy {
     /// ```
     const SHADES: Rgb;
 
-    /// The color to put in column x, row y, for a color in shades, each from 0 to that of `SHADES`.
+    /// The color of the pixel in column x, row y, for a color in shades. Each of its channels is from 0 to
+    /// that of `SHADES`; [`Shades::nearest`] and [`Shades::units`] return them.
     fn shade(shades: Shades, x: u32, y: u32) -> Self;
 
-    /// The color to put in column x, row y, for a color of the renderer.
+    /// The color of the pixel in column x, row y, for a color of the renderer.
     #[must_use]
     fn paint(color: Rgb, x: u32, y: u32) -> Self {
         Self::shade(color.shades(most_shades::<Self>()).rounded(), x, y)
@@ -231,6 +233,7 @@ pub trait Paint: Copy {
 }
 
 impl Paint for Rgb {
+    // A power of two: dividing by it is exact.
     const SHADES: Rgb = Rgb::gray(128.0);
 
     #[inline(always)]
@@ -241,7 +244,7 @@ impl Paint for Rgb {
     }
 }
 
-/// [`Paint::SHADES`], checked at compile time.
+/// [`Paint::SHADES`], after a check at compile time that each channel is from 0 to 255.
 pub(crate) const fn most_shades<C: Paint>() -> Rgb {
     const {
         let Rgb { r, g, b } = C::SHADES;
@@ -253,7 +256,7 @@ pub(crate) const fn most_shades<C: Paint>() -> Rgb {
     C::SHADES
 }
 
-/// The whole part of a channel in shades: the nearest shade of one that carries half a shade more.
+/// The nearest shade of a channel that carries the rounding bias: the whole part of the channel.
 #[inline]
 pub(crate) const fn nearest(biased: u32) -> u8 {
     (biased / Shades::ONE) as u8
@@ -291,7 +294,7 @@ impl Background {
     /// Black.
     pub const BLACK: Self = Self::Plain(Rgb::BLACK);
 
-    /// The color of row y of a picture that has `rows` of them.
+    /// The background's color at the middle of row y, of a picture that has `rows` rows.
     #[inline(always)]
     pub(crate) fn row(&self, y: u32, rows: u32) -> Rgb {
         match *self {

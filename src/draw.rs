@@ -20,7 +20,7 @@ use embedded_graphics_core::{
 };
 
 impl Camera {
-    /// As [`Camera::ray`], through the centre of a pixel that may lie left of the picture or above it, too.
+    /// Does what [`Camera::ray`] does, for a pixel that may also lie to the left of the picture or above it.
     #[must_use]
     pub fn ray_at(&self, pixel: Point, picture: Size) -> Ray {
         self.ray_through([pixel.x as f32, pixel.y as f32], picture.width, picture.height)
@@ -28,7 +28,7 @@ impl Camera {
 }
 
 impl<'a> Scene<'a> {
-    /// As [`Scene::picture`].
+    /// Does what [`Scene::picture`] does, for a size of embedded-graphics.
     ///
     /// ```
     /// use embedded_graphics::prelude::*;
@@ -44,11 +44,13 @@ impl<'a> Scene<'a> {
         self.picture(size.width, size.height)
     }
 
-    /// Draws the scene over the whole display, in one [`fill_contiguous`](DrawTarget::fill_contiguous) over
-    /// pixels that are computed as the display takes them, a few at a time. No framebuffer is needed.
+    /// Draws the scene over the whole display, in one call of
+    /// [`fill_contiguous`](DrawTarget::fill_contiguous). The pixels are computed as the display takes them,
+    /// 40 at a time at most. No framebuffer is needed.
     ///
-    /// Where there is memory for a row, [`Scene::draw_by_rows`] costs less, for a single solid less than
-    /// half. On a display of 2³² pixels or more it draws no pixel.
+    /// If there is memory for a row of pixels, [`Scene::draw_by_rows`] is faster: with a single solid it
+    /// takes less than half the time. On a display of 2³² pixels or more `draw` draws no pixel and returns
+    /// `Ok`.
     ///
     /// # Errors
     ///
@@ -60,9 +62,9 @@ impl<'a> Scene<'a> {
         self.draw_through(display, &mut blank())
     }
 
-    /// Draws the scene as [`Scene::draw`] does, but through memory that the caller lends: as many pixels are
-    /// computed at a time as `row` has, up to a whole row. Neighbouring pixels share computations, so a
-    /// longer slice costs less. With an empty one it is [`Scene::draw`].
+    /// Draws the scene as [`Scene::draw`] does, but computes the pixels in memory that the caller lends: as
+    /// many at a time as fit into `row`, up to a whole row of the display. Neighbouring pixels share
+    /// computations, so a longer slice is faster. If `row` is empty, it does what [`Scene::draw`] does.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -90,13 +92,14 @@ impl<'a> Scene<'a> {
         if row.is_empty() { self.draw(display) } else { self.draw_through(display, row) }
     }
 
+    /// Draws the scene over the whole display, and computes as many pixels at once as fit into `run`.
     fn draw_through<D>(&self, display: &mut D, run: &mut [D::Color]) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: Paint>,
     {
         let area = display.bounding_box();
         let Size { width, height } = area.size;
-        // By reference: a picture would be a copy of the scene on the stack.
+        // The raster borrows the scene's parts: a `Picture` would copy them to the stack.
         let Self { solids, camera, light, background } = self;
         let order = &PaintOrder::of(solids, camera);
         let raster = Raster { solids, camera, light, background, order, width, height };
@@ -107,7 +110,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Room for a run.
+/// Memory for the pixels that are computed at once.
 fn blank<C: Paint>() -> [C; RUN] {
     [C::paint(Rgb::BLACK, 0, 0); RUN]
 }
@@ -167,7 +170,7 @@ impl<C: Paint + PixelColor> ImageDrawable for PictureImage<'_, C> {
     ) -> Result<(), D::Error> {
         let area = self.bounding_box().intersection(area);
         let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
-        // Inside the picture, so not negative.
+        // The intersection lies inside the picture, so x and y are not negative.
         match Pixels::new(&self.picture.raster(), (x as u32, y as u32), (width, height), &mut blank()) {
             Some(pixels) => target.fill_contiguous(&Rectangle::new(Point::zero(), area.size), pixels),
             None => Ok(()),

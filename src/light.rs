@@ -3,13 +3,13 @@
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, array, unit, vector};
 
-/// A light from far away, and an ambient share that reaches everywhere. Solids cast no shadow: the light
-/// falls on all that faces it.
+/// A light from far away, and an ambient share that reaches everywhere. Solids cast no shadows: the light
+/// falls on every surface that faces it.
 ///
-/// A surface shows the share `ambient + (1 − ambient)·max(0, n·l)` of its color (Lambert's law), n its unit
-/// normal and l the unit vector towards the light. A shiny surface adds white where light falls on it, half
-/// of Phong's `max(0, r·v)ˢ`: r is l mirrored by the surface, v the unit vector towards the eye, s the
-/// shininess.
+/// A surface shows the share `ambient + (1 − ambient)·max(0, n·l)` of its color (Lambert's law), where n is
+/// its unit normal and l the unit vector towards the light. Where the light falls on a shiny surface, a
+/// highlight of white is added: its share is half of Phong's `max(0, r·v)ˢ`, whatever the ambient share,
+/// where r is l mirrored by the surface, v the unit vector towards the eye, and s the shininess.
 ///
 /// ```
 /// use embedded_lathe::{Light, valid};
@@ -23,8 +23,8 @@ pub struct Light {
 }
 
 impl Light {
-    /// A light and its ambient share, 0 to 1. The vector `towards` points to where the light comes from; its
-    /// length does not matter.
+    /// A light and its ambient share, from 0 to 1. The vector `towards` points from the solids to the light;
+    /// its length does not matter.
     ///
     /// # Errors
     ///
@@ -51,8 +51,8 @@ impl Light {
         self.ambient
     }
 
-    /// The share of white that a shiny surface adds, given `mirrored`, which is r·v, and a number `nl` with
-    /// the sign of n·l.
+    /// The share of white that the highlight adds, given `mirrored`, which is r·v, and a number `nl` with the
+    /// sign of n·l. It is zero if the surface faces away from the light or if `mirrored` is not positive.
     pub(crate) fn highlight(shininess: u8, nl: f32, mirrored: f32) -> f32 {
         if nl > 0.0 && mirrored > 0.0 { 0.5 * power(mirrored, shininess) } else { 0.0 }
     }

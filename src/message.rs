@@ -1,4 +1,4 @@
-//! What an error says: the same words where it is displayed and where it stops the compilation.
+//! The message of an error: the same words when it is displayed and when it stops the compilation.
 
 mod decimal;
 
@@ -8,18 +8,23 @@ use core::hash::{Hash, Hasher};
 /// A part of a message.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Piece {
+    /// Fixed words.
     Text(&'static str),
+    /// A whole number.
     Count(usize),
+    /// A number, written as `Debug` writes it.
     Number(f32),
+    /// Three numbers in brackets.
     Vector([f32; 3]),
 }
 
-/// The pieces of a message, in order. Two messages are equal if all their pieces are: numbers by their bits,
-/// so that a NaN equals itself.
+/// The pieces of a message, in order. Two messages are equal if all their pieces are equal. Numbers are
+/// compared by their bits, so that a NaN equals itself.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Message([Piece; 6]);
 
 impl Message {
+    /// A message of N pieces, at most 6.
     pub const fn of<const N: usize>(pieces: [Piece; N]) -> Self {
         const { assert!(N <= 6) };
         let (mut all, mut i) = ([Piece::Text(""); 6], 0);
@@ -39,6 +44,7 @@ impl Message {
         }
     }
 
+    /// The message as text, for a panic: the same characters that `Display` writes.
     const fn text(self) -> Text {
         let (mut text, mut i) = (Text { bytes: [0; 256], len: 0 }, 0);
         while i < self.0.len() {
@@ -104,17 +110,19 @@ impl Hash for Message {
     }
 }
 
-/// Text that a `const` can write. What does not fit is left out.
+/// Text that a `const fn` can write. Bytes beyond the 256th are left out.
 struct Text {
     bytes: [u8; 256],
     len: usize,
 }
 
 impl Text {
+    /// The bytes written so far.
     const fn bytes(&self) -> &[u8] {
         self.bytes.split_at(self.len).0
     }
 
+    /// Appends a byte, if there is room.
     const fn push(&mut self, byte: u8) {
         if self.len < self.bytes.len() {
             self.bytes[self.len] = byte;
@@ -122,6 +130,7 @@ impl Text {
         }
     }
 
+    /// Appends all bytes of a string, as far as there is room.
     const fn push_all(&mut self, text: &str) {
         let (bytes, mut i) = (text.as_bytes(), 0);
         while i < bytes.len() {
@@ -130,6 +139,7 @@ impl Text {
         }
     }
 
+    /// Appends a whole number in decimal digits.
     const fn push_count(&mut self, count: usize) {
         let mut power = 1;
         while count / power >= 10 {
@@ -142,8 +152,8 @@ impl Text {
     }
 }
 
-/// Implements for an error that has `const fn message(self) -> Message` all traits that follow from its
-/// message.
+/// Implements `Display`, `Error`, `PartialEq`, `Eq` and `Hash` for an error type that has a method `const fn
+/// message(self) -> Message`: all of them use the message alone.
 macro_rules! says {
     ($error:ty) => {
         impl $error {

@@ -13,8 +13,11 @@ use crate::vector::{F32x3, array, dot, finite, scale, unit, vector};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
+    /// Where the origin of the solid's own space is in the world.
     pub(crate) position: F32x3,
+    /// How the solid is turned about that origin.
     pub(crate) rotation: Rotation,
+    /// The factor by which the solid is enlarged: from 10⁻³⁰ to 10³⁰.
     pub(crate) scale: f32,
 }
 
@@ -29,13 +32,14 @@ impl Pose {
     /// The pose that leaves a solid in its own space: its axis along z.
     pub const IDENTITY: Self = Self { position: vector([0.0; 3]), rotation: Rotation::IDENTITY, scale: 1.0 };
 
-    /// A pose: where the origin of the solid's own space is put, how the solid is turned about it, and how
-    /// many times as large it becomes.
+    /// A pose: the position of the origin of the solid's own space in the world, the rotation of the solid
+    /// about that origin, and the factor by which the solid is enlarged.
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if a coordinate is infinite or NaN, if the rotation's angle was larger than 10 000 or
-    /// NaN, or if the scale is outside 10⁻³⁰ to 10³⁰, where its inverse is a normal number, too.
+    /// [`SceneError`] if a coordinate is infinite or NaN, if the rotation was made from an angle outside −10
+    /// 000 to 10 000 or NaN, or if the scale is outside 10⁻³⁰ to 10³⁰. (Within these limits the inverse of
+    /// the scale is a normal number, too.)
     pub const fn new(position: [f32; 3], rotation: Rotation, scale: f32) -> Result<Self, SceneError> {
         if !finite(vector(position)) {
             return Err(SceneError::Position { position });
@@ -61,7 +65,7 @@ impl Pose {
         self.rotation
     }
 
-    /// How many times as large as in its own space the solid is.
+    /// The factor by which the solid is larger than in its own space.
     #[must_use]
     pub const fn scale(&self) -> f32 {
         self.scale
@@ -92,9 +96,10 @@ impl defmt::Format for Pose {
 
 /// A right-handed rotation about the origin, by an angle in radians.
 ///
-/// The angle may be up to 10 000: there f32's steps are 0.001, and of larger angles too little is known.
-/// [`Rotation::about`] returns an error for a larger one; the constructors that cannot, make a rotation that
-/// [`Pose::new`] refuses.
+/// The angle may be from −10 000 to 10 000. There the spacing of f32 numbers is already 0.001, so that a
+/// larger angle would be too inexact. For an angle outside the limits, or NaN, [`Rotation::about`] returns an
+/// error. `about_x`, `about_y` and `about_z` return no `Result`: from such an angle they make a matrix that
+/// contains NaN, for which [`Pose::new`] returns [`SceneError::Rotation`].
 ///
 /// All constructors are `const`, and compute the same bits at compile time and at run time.
 ///
@@ -149,7 +154,7 @@ impl Rotation {
     /// # Errors
     ///
     /// [`SceneError::RotationAxis`] if the axis is zero or not finite, [`SceneError::RotationAngle`] if the
-    /// angle is larger than 10 000 or NaN.
+    /// angle is outside −10 000 to 10 000 or NaN.
     pub const fn about(axis: [f32; 3], angle: f32) -> Result<Self, SceneError> {
         let (s, c) = sin_cos(angle);
         if !s.is_finite() {
@@ -183,7 +188,7 @@ impl Rotation {
         array(self.turn(vector(v)))
     }
 
-    /// As [`Rotation::apply`].
+    /// Does what [`Rotation::apply`] does.
     pub(crate) const fn turn(&self, v: F32x3) -> F32x3 {
         times(v, self.rows)
     }
@@ -201,6 +206,7 @@ impl Rotation {
         vector([a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z])
     }
 
+    /// Whether no element of the matrix is infinite or NaN.
     const fn is_finite(&self) -> bool {
         let [a, b, c] = self.rows;
         finite(a) && finite(b) && finite(c)

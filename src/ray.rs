@@ -18,12 +18,15 @@ use crate::vector::{F32x3, array, finite, saturated, scale, to_one, vector};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
+    /// The point where the ray starts.
     pub(crate) origin: F32x3,
-    /// The direction given, divided by `unit`, so that its largest component is in [1, 4). A camera's rays
-    /// keep theirs as it is: from 1 to 1 + 30·√(1 + (height/width)²) long, 30 the largest half-width.
+    /// The direction that the caller gave, divided by a power of two so that its largest component is in [1,
+    /// 4). The direction of a camera's ray is not divided: its length is from 1 to 1 + 30·√(1 +
+    /// (height/width)²), where 30 is the largest half-width.
     pub(crate) direction: F32x3,
-    /// The length of the direction given over that of `direction`: a power of two, divided by the scale of
-    /// the solid in whose space the ray is. The parameter t of the ray is t·unit along `direction`.
+    /// The factor from `direction` to the vector by which t counts: the point at t is `origin +
+    /// (t·unit)·direction`. It is the power of two that the direction was divided by. Of a ray in a solid's
+    /// own space it is that power divided by the solid's scale, so that t is the same there as in the world.
     pub(crate) unit: f32,
 }
 
@@ -32,8 +35,8 @@ impl Ray {
     ///
     /// # Errors
     ///
-    /// [`RayError`] if a number is not finite, or the direction's largest component is smaller than the least
-    /// normal number, 1.2·10⁻³⁸.
+    /// [`RayError`] if a number is infinite or NaN, or if the direction's largest component is smaller than
+    /// f32's smallest positive normal number, 1.2·10⁻³⁸.
     pub const fn new(origin: [f32; 3], direction: [f32; 3]) -> Result<Self, RayError> {
         if !finite(vector(origin)) {
             return Err(RayError::OriginNotFinite { origin });
@@ -55,8 +58,8 @@ impl Ray {
 
     /// The direction, as long as it was given.
     ///
-    /// It is kept with a power of two taken out, so a component that is less than 10⁻³⁷ of the largest may
-    /// come back rounded.
+    /// The ray stores it divided by a power of two, so a component that is less than 10⁻³⁷ of the largest may
+    /// be returned rounded.
     #[must_use]
     pub const fn direction(&self) -> [f32; 3] {
         array(scale(self.direction, self.unit))
@@ -67,20 +70,21 @@ impl Ray {
         Self { origin, direction, unit: 1.0 }
     }
 
-    /// The point at t, finite if t is: of a coordinate beyond f32's range, the largest number with its sign.
+    /// The point at t. It is finite if t is: a coordinate beyond f32's range becomes f32's largest number, or
+    /// its negative.
     #[must_use]
     pub fn at(&self, t: f32) -> [f32; 3] {
         array(self.point(t))
     }
 
-    /// As [`Ray::at`].
+    /// Does what [`Ray::at`] does.
     pub(crate) fn point(&self, t: f32) -> F32x3 {
         let point = self.origin + self.direction * (t * self.unit);
         if finite(point) { point } else { self.far_at(t) }
     }
 
-    /// The same where a product overflows although the point may not: computed at half the size, where the
-    /// two terms that cancel are finite.
+    /// Does the same when a product or a sum overflowed, which can happen although the point itself is in
+    /// range. It adds halves of the two terms, which are finite, and doubles their sum.
     #[cold]
     #[inline(never)]
     fn far_at(&self, t: f32) -> F32x3 {
@@ -108,7 +112,7 @@ impl defmt::Format for Ray {
     }
 }
 
-/// What keeps numbers from being a ray, and which numbers they are.
+/// Why numbers do not make a ray, and which numbers they are.
 ///
 /// ```
 /// use embedded_lathe::{Ray, RayError};
@@ -131,7 +135,8 @@ pub enum RayError {
         /// The direction given.
         direction: [f32; 3],
     },
-    /// The direction is zero, or its largest component smaller than the least normal number, 1.2·10⁻³⁸.
+    /// The direction is zero, or its largest component is smaller than f32's smallest positive normal number,
+    /// 1.2·10⁻³⁸.
     NoDirection {
         /// The direction given.
         direction: [f32; 3],
@@ -139,6 +144,7 @@ pub enum RayError {
 }
 
 impl RayError {
+    /// The words of the error.
     const fn message(self) -> Message {
         match self {
             Self::OriginNotFinite { origin } => {

@@ -1,4 +1,4 @@
-//! What a picture shows: solids, and the camera, light and background they are seen with.
+//! What a picture shows: solids, the camera and the light that they are seen with, and the background.
 
 use crate::camera::Camera;
 use crate::color::Background;
@@ -27,9 +27,10 @@ use crate::solid::Solid;
 ///
 /// # Animation
 ///
-/// Segments, and all that does not move, stay in flash. The solids that move are copied into an array, some
-/// 80 bytes each, and changed between two frames, and so are the scene's own fields. [`Scene::with_solids`]
-/// puts the two together for one frame: it copies the camera and the light, and borrows the array.
+/// Segments, and everything else that does not move, stay in flash. A program copies the scene to a variable,
+/// and the solids that move to an array (about 80 bytes for each solid). Between two frames it changes these
+/// copies. For each frame [`Scene::with_solids`] puts the two together: it copies the camera and the light,
+/// and borrows the array.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -61,8 +62,8 @@ use crate::solid::Solid;
 ///
 /// # More to come
 ///
-/// A scene is made by [`Scene::new`], not as a literal: later versions add fields, which `new` sets to what
-/// was drawn before there were any.
+/// A scene is made by [`Scene::new`], not as a literal. Later versions may add fields; `new` will set each so
+/// that the picture stays as it was before the field existed.
 ///
 /// ```compile_fail,E0639
 /// # use embedded_lathe::*;
@@ -75,10 +76,10 @@ use crate::solid::Solid;
 #[non_exhaustive]
 pub struct Scene<'a> {
     /// The solids, in any order. Where two of them are at the same distance, the first in the slice is seen;
-    /// where one only touches the other, either.
+    /// at a point where two only touch, either may be seen.
     ///
-    /// Solids between which a separating plane is found cost what each costs alone. Where none is found, the
-    /// pixels of one of the two are found by casting a ray for each pixel, which costs several times as much.
+    /// If the renderer finds a plane that separates two solids, each costs what it costs alone. If it finds
+    /// none, it casts a single ray for each pixel of one of the two, which costs several times as much.
     pub solids: &'a [Solid<'a>],
     /// The camera that sees them.
     pub camera: Camera,

@@ -1,7 +1,7 @@
 use crate::message::Piece::{Number, Text, Vector};
 use crate::message::{Message, says};
 
-/// What keeps numbers from being part of a scene, and which numbers they are.
+/// Why numbers do not make a part of a scene, and which numbers they are.
 ///
 /// ```
 /// use embedded_lathe::{Light, SceneError};
@@ -24,27 +24,27 @@ pub enum SceneError {
         /// The axis given.
         axis: [f32; 3],
     },
-    /// A rotation's angle is larger than 10 000 radians, or NaN.
+    /// A rotation's angle is outside −10 000 to 10 000 radians, or NaN.
     RotationAngle {
         /// The angle given, in radians.
         angle: f32,
     },
-    /// A pose's rotation is by an angle larger than 10 000 radians, or NaN.
+    /// A pose's rotation was made from an angle outside −10 000 to 10 000 radians, or from NaN.
     Rotation,
     /// A solid's scale is not between 10⁻³⁰ and 10³⁰.
     Scale {
         /// The scale given.
         scale: f32,
     },
-    /// A camera looks in no direction: its eye is where it looks at, or a coordinate of one of the two is
-    /// infinite or NaN.
+    /// A camera has no direction of view: `eye` and `look_at` are the same point, or a coordinate of one of
+    /// them is infinite or NaN.
     ViewDirection {
         /// The eye given.
         eye: [f32; 3],
         /// The point given to look at.
         look_at: [f32; 3],
     },
-    /// A camera's up direction is zero or along its view, or a component of it infinite or NaN.
+    /// A camera's up direction is zero or parallel to its view, or a component of it is infinite or NaN.
     UpDirection {
         /// The direction given.
         up: [f32; 3],
@@ -71,6 +71,7 @@ pub enum SceneError {
 }
 
 impl SceneError {
+    /// The words of the error.
     const fn message(self) -> Message {
         match self {
             Self::Position { position } => {

@@ -23,36 +23,38 @@ use crate::vector::{F32x3, Vector, array, difference, dot, largest, one_norm, ve
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Surface {
-    /// The point, in the ray's space.
+    /// The point, in the coordinates of the ray.
     pub point: [f32; 3],
-    /// The unit normal, which points out of the solid. Where the surface comes to a point and has no normal,
-    /// it is along the axis.
+    /// The unit normal, which points out of the solid. At the tip of a solid, where the surface has no
+    /// normal, it is parallel to the axis.
     pub normal: [f32; 3],
 }
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
-    /// The point and the normal of a hit of this lathe by that ray. Cost: one root, one division, about 50
-    /// other operations.
+    /// The point and the normal of `hit`, which must be a hit of this lathe by `ray`. It costs one square
+    /// root, one division and about 50 other operations.
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         Surface { point: ray.at(hit.t), normal: array(self.normal(ray, hit)) }
     }
 
-    /// The unit normal at a hit of this lathe by that ray.
+    /// The unit normal at a hit of this lathe by `ray`.
     #[inline]
     pub(crate) fn normal(&self, ray: &Ray, hit: &Hit) -> F32x3 {
         unit(self.gradient_at(ray.point(hit.t), hit))
     }
 
-    /// A ray that goes on from a hit of this lathe by `ray`: a reflection, or towards a light. It starts
-    /// beside the hit's point, off the surface by the bound of what rounding can do to either ray (graphics
-    /// texts call that an offset ray origin), to the side that `direction` points to. So with a `t_min` of
-    /// zero it does not meet the place again that it leaves; and what else it meets is at most as far from
-    /// where it should be as the offset is long:
+    /// A ray that goes on from a hit of this lathe by `ray`: a reflection, or towards a light. Its origin is
+    /// the hit's point, moved along the normal to the side that `direction` points to (graphics texts call
+    /// that an offset ray origin). The offset is an upper bound of the rounding errors of both rays, so that
+    /// with a `t_min` of zero the new ray does not hit the surface at the point that it leaves. Its other
+    /// hits are displaced by at most the offset, which is
     ///
-    /// `16·2⁻²⁴·(4·R + distance + |point|)`, R the radius of the smallest ball around the solid, both others
-    /// measured by the sum of the coordinates, from the middle of its axis to the ray's origin, and from the
-    /// origin of space to the point.
+    /// `16·2⁻²⁴·(4·R + distance + |point|)`.
+    ///
+    /// R is the radius of a ball about the middle of the axis that contains the solid. `distance` is that of
+    /// the ray's origin from the middle of the axis, and `|point|` that of the hit's point from the origin of
+    /// the coordinates; both are sums of the coordinates' magnitudes.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, Ray, valid};
@@ -67,25 +69,28 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     ///
     /// # Errors
     ///
-    /// As [`Ray::new`]: of the direction, and of a place beyond f32's range.
+    /// [`RayError`] as from [`Ray::new`], if the direction is zero, infinite or NaN, or if the new origin is
+    /// beyond f32's range.
     pub fn spawn(&self, ray: &Ray, hit: &Hit, direction: [f32; 3]) -> Result<Ray, RayError> {
         let from_middle = difference(ray.origin, vector([0.0, 0.0, self.middle()]));
         self.surface(ray, hit).spawn(direction, 4.0 * self.ball() + one_norm(from_middle))
     }
 }
 
-/// The offset of a spawned ray, over the lengths that its rounding is measured by.
+/// The offset of a spawned ray, divided by the sum of the lengths that the rounding errors are proportional
+/// to, `4·R + distance + |point|`.
 ///
-/// The promise puts the hit within 4 *units* of the surface, a unit 2⁻²⁴·(size + distance + the hit's own
-/// distance), and that is no more than 2·(size + distance); `Ray::at` rounds a product and a sum, 1 more and
-/// |point|; and the ray that leaves has to clear the surface by 4 units of 2⁻²⁴·(size + size), its origin
-/// being rounded once more, |point|. In all 18·size + 10·distance + 2·|point|, size at most 2·R: 16 times
-/// (4·R + distance + |point|) is more than that by half.
+/// Three errors add up, counted here in multiples of 2⁻²⁴. First, the hit lies within 4 *units* of the
+/// surface. Its unit is size + distance + the hit's own distance, at most 2·(size + distance), so this error
+/// is at most 8·(size + distance). Second, `Ray::at` rounds a product, at most 2·(size + distance), and a
+/// sum, at most |point|. Third, the new ray must clear the surface by 4 units of size + size, and its origin
+/// is rounded once, |point|. The total is 18·size + 10·distance + 2·|point|, where size is at most 2·R. The
+/// offset, 16·(4·R + distance + |point|), is larger by more than half.
 const OFFSET: f32 = 16.0 * UNIT_ROUNDOFF;
 
 impl Surface {
-    /// The ray from here, off the surface by what rounding can do to numbers as large as `lengths` and the
-    /// point.
+    /// A ray from this point in `direction`, its origin moved off the surface by [`OFFSET`] times (`lengths`
+    /// + |point|), to the side that `direction` points to.
     pub(crate) fn spawn(self, direction: [f32; 3], lengths: f32) -> Result<Ray, RayError> {
         let (point, normal) = (vector(self.point), vector(self.normal));
         let offset = OFFSET * (lengths + one_norm(point));
@@ -96,16 +101,17 @@ impl Surface {
 
 /// The unit vector along `v`, which must not be zero.
 ///
-/// Gradients have lengths near 1, except those of very flat and very tall profiles, which are first divided
-/// by their largest component. From 10⁻²⁴ to 10²⁴ the square of the length needs no such care: the squares of
-/// all components that count, 2⁻²³ of the largest and more, are then normal numbers (10⁻²⁴·2⁻⁴⁶ is
-/// 1.4·10⁻³⁸), and so is its root's inverse.
+/// Most gradients have lengths near 1. Those of very flat and very tall profiles are first divided by their
+/// largest component, so that the square of the length neither overflows nor underflows. A square from 10⁻²⁴
+/// to 10²⁴ needs no division: components below 2⁻²³ of the largest do not change the result, the squares of
+/// all others are normal numbers (10⁻²⁴·2⁻⁴⁶ is 1.4·10⁻³⁸), and so is the inverse of the length.
 #[inline]
 pub(crate) fn unit(v: F32x3) -> F32x3 {
     let square = v.dot(v);
     if square > 1e-24 && square < 1e24 { v * (1.0 / Native::sqrt(square)) } else { unit_of_odd_length(v) }
 }
 
+/// The same for a vector whose squared length may overflow or underflow.
 #[cold]
 #[inline(never)]
 fn unit_of_odd_length(v: F32x3) -> F32x3 {

@@ -1,6 +1,6 @@
 //! Errors that stop the compilation.
 
-/// The value of a `Result` that is computed at compile time; an error stops the compilation with its message.
+/// Unwraps a `Result` at compile time. An `Err` stops the compilation with the error's message.
 ///
 /// ```
 /// use embedded_lathe::{Lathe, Profile, Segment, valid};
@@ -8,7 +8,7 @@
 /// static KNOB: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::cylinder(1.0, 0.4)));
 /// ```
 ///
-/// A knot out of order is found before there is a program:
+/// A knot out of order is an error of the compiler:
 ///
 /// ```compile_fail
 /// use embedded_lathe::{Lathe, Profile, Segment, valid};
@@ -23,7 +23,8 @@
 ///
 /// # Several steps
 ///
-/// Steps that may fail are chained by `?`, as anywhere else: where one `?` stands, each of them wants one.
+/// Steps that may fail are chained with `?`, as in a function. If the chain contains a `?`, every step that
+/// returns a `Result` needs one, the last step too.
 ///
 /// ```
 /// use embedded_lathe::{End, Lathe, Profile, Segment, valid};
@@ -39,12 +40,13 @@
 /// // error: evaluation panicked: the squash must be from 0 to 1, and is 1.5
 /// ```
 ///
-/// A `?` within parentheses is not seen; there, another `valid!` does it.
+/// The macro does not see a `?` within parentheses: an argument that is a `Result` needs a `valid!` of its
+/// own.
 ///
 /// # Functions
 ///
-/// What depends on parameters is no constant, so a function cannot use `valid!` on them. It returns the
-/// `Result`, and whoever calls it with constants uses `valid!`:
+/// A value that depends on a function's parameters is not a constant, so the function cannot use `valid!` on
+/// it. It returns the `Result`, and its caller, who passes constants, uses `valid!`:
 ///
 /// ```
 /// use embedded_lathe::*;
@@ -75,7 +77,7 @@
 /// ```
 #[macro_export]
 macro_rules! valid {
-    // Up to the next `?`: the tokens before it, and those behind it.
+    // A `?` comes next: the tokens before it are a `Result`, which is unwrapped.
     (@ $(? $is_chain:tt)? [$($step:tt)+] ? $($rest:tt)*) => {
         $crate::valid!(@ ? ! [(match ($($step)+) {
             Ok(value) => value,
@@ -85,7 +87,7 @@ macro_rules! valid {
     (@ $(? $is_chain:tt)? [$($step:tt)*] $next:tt $($rest:tt)*) => {
         $crate::valid!(@ $(? $is_chain)? [$($step)* $next] $($rest)*)
     };
-    // All tokens seen: behind a `?` they are the value, without one a `Result`.
+    // No token is left: after a `?` the tokens are the value; without any `?` they are a `Result`.
     (@ ? ! [$($value:tt)+]) => {
         const { $($value)+ }
     };

@@ -1,5 +1,5 @@
-//! The colors of displays. Those with 5 bits or more for each channel get the nearest shade; those with fewer
-//! are dithered.
+//! [`Paint`] for the colors of embedded-graphics. Those with 5 bits or more for each channel get the nearest
+//! shade; those with fewer are dithered.
 
 use super::dither::dithered;
 use crate::color::{Paint, Rgb, Shades, nearest};
@@ -32,8 +32,8 @@ macro_rules! channels {
 
 channels!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
 
-/// The shades that red, green and blue contribute to the brightness of a gray: the weights of ITU-R BT.601
-/// times the brightest shade.
+/// How many shades each of red, green and blue contributes to the brightness of a gray, given its brightest
+/// shade: the weights of ITU-R BT.601 times that.
 const fn luma(most: f32) -> Rgb {
     Rgb::new(0.299 * most, 0.587 * most, 0.114 * most)
 }
@@ -56,9 +56,9 @@ impl From<BinaryColor> for Rgb {
     }
 }
 
-/// The brightness in shades: the sum of the weighted channels. As each channel carries a bias of half a
-/// shade, the sum is three halves of a shade too large: `dithered` takes all of that off, and `Gray8` one
-/// shade, so that what is left rounds.
+/// The brightness in shades: the sum of the weighted channels. Because each channel carries the rounding bias
+/// of half a shade, the sum is one and a half shades too large. `dithered` subtracts all of the excess;
+/// `Gray8` subtracts one shade and keeps half a shade as its own rounding bias.
 #[inline]
 fn sum(shades: Shades) -> u32 {
     shades.r + shades.g + shades.b

@@ -1,12 +1,12 @@
-//! A display's color as a solid's, in a `const`.
+//! The conversion of `Rgb888` to [`Rgb`] in a `const`.
 
 use crate::color::Rgb;
 use core::mem::transmute;
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 impl Rgb {
-    /// A color of embedded-graphics, for a `static` scene: `From` does the same for all of its colors, but
-    /// not in a `const`.
+    /// Converts a color of embedded-graphics in a `const`, for a `static` scene. `From` converts all of its
+    /// colors, but not in a `const`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
@@ -24,16 +24,17 @@ impl Rgb {
     }
 }
 
-/// Red, green and blue, 8 bits each, red the highest: what the color's own accessors give, which are no
-/// `const`.
+/// Red, green and blue in 8 bits each, red in the highest of the 24. The color's own accessors return the
+/// same, but are not `const`.
 #[allow(unsafe_code)]
 const fn bits(color: Rgb888) -> u32 {
-    // SAFETY: any bits are a `u32`. That these are initialized, and mean what is said, is evaluated below.
+    // SAFETY: every bit pattern is a valid `u32`. The check below proves at compile time that all 32 bits are
+    // initialized and that each of the 24 stands where this function's doc says.
     unsafe { transmute(color) }
 }
 
-/// A release of embedded-graphics-core that keeps its colors in another way does not compile: here each bit
-/// is tried.
+/// Checks `bits` for each single bit of a color. With a release of embedded-graphics-core that stores its
+/// colors in another way the crate does not compile.
 const _: () = {
     let mut bit = 0;
     while bit < 24 {

@@ -33,7 +33,7 @@ impl<'a> SolidRow<'a> {
         };
         let rays = RayRow { origin, origin_step, direction, direction_step };
         let part = RowPart { width: row.width, start, end, is_shared: painted.candidates.len() > 1 };
-        let sweep = solid.lathe().sweep(&rays, unit, row.rough(), &part);
+        let sweep = solid.lathe().sweep(&rays, unit, row.origin_bound(), &part);
         Self { painted, row, views: Views { first: direction, step: direction_step }, sweep }
     }
 

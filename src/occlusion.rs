@@ -10,18 +10,20 @@ use crate::solid::Solid;
 use crate::vector::{F32x3, difference, dot, scale};
 use core::slice;
 
-/// How much larger than what it is compared with a distance must be: one solid may stand on another, and the
-/// eye must not be in the very plane of a cap. A dot product of three terms is off by three units of
-/// roundoff, the support function by four.
+/// The factor by which rounding is taken into account where distances are compared. With it a plane may
+/// separate two solids of which one stands on the other; but a plane is not taken if the eye lies in it, as
+/// it may in that of a cap. A dot product of three terms is off by three units of roundoff, the support
+/// function by four.
 const ROUNDING: f32 = 1.0 + 8.0 * UNIT_ROUNDOFF;
 
-/// A separating distance along n must exceed this, times the square of the sum of both radii. The square of
-/// an n shorter than 10⁻¹⁹ underflows, and with it the support functions; the distance along it then is no
-/// more than 10⁻¹⁹ times that between the solids, and separates nothing.
+/// By how much `between·n`, the distance between two solids' centers along n times n's length, must exceed
+/// what both extend along n: this times the square of the sum of both radii. If n is shorter than 10⁻¹⁹, its
+/// square underflows, and with it the support functions; but then `between·n` is at most 10⁻¹⁹ times the
+/// distance between the centers, so that such an n is never taken for a separating one.
 const LEAST: f32 = 1e-12;
 
-/// How far away the eye of parallel rays is taken to be, in sums of both radii: the direction to any point of
-/// the two is that of the rays within 2⁻²⁰.
+/// The distance at which the eye is taken to be if the rays are parallel, in units of the sum of both radii.
+/// From there the direction to any point of the two solids differs from that of the rays by 2⁻²⁰ at most.
 const FAR: f32 = 1_048_576.0;
 
 /// How many solids a [`PaintOrder`] keeps: as many as a `u32` has groups of four bits. More are ordered anew
@@ -148,8 +150,8 @@ impl Camera {
 }
 
 impl Solid<'_> {
-    /// The support function of the cylinder around the solid: how far it extends from its center in direction
-    /// n, times n's length. Infinite or NaN where n's square overflows.
+    /// The support function of the cylinder around the solid: how far the cylinder extends from its center in
+    /// direction n, times the length of n. Infinite or NaN if the square of n overflows.
     #[inline(never)]
     const fn support(&self, n: F32x3) -> f32 {
         let along = dot(n, self.axis());
@@ -159,16 +161,16 @@ impl Solid<'_> {
 }
 
 impl Camera {
-    /// The distance of a solid's center from the eye plus its radius, as bits: numbers that grow with it.
-    /// With the radius, of two solids in one place the smaller tends to be painted last, so that it is the
-    /// one to be compared.
+    /// The distance of a solid's center from the eye, plus the solid's radius, as bits, which grow as the
+    /// number does. The radius is added so that of two solids in one place the smaller one tends to be
+    /// painted last.
     #[inline(never)]
     const fn distance(&self, solid: &Solid) -> u32 {
         (length(solid.center_from(self.eye)) + solid.radius()).to_bits()
     }
 
-    /// Whether a plane is found that separates two solids, with the eye on the near one's side: then no ray
-    /// meets the far one first.
+    /// Whether a plane is found that separates two solids, with the eye on the side of `near`: then every ray
+    /// that meets both meets `near` first.
     #[inline(never)]
     const fn sees_behind(&self, far: &Solid, near: &Solid) -> bool {
         let origin = near.position();
@@ -180,8 +182,8 @@ impl Camera {
             Projection::Perspective => away,
             Projection::Orthographic => scale(self.forward, FAR * radii),
         };
-        // Three normals are tried: across the far solid's axis, along it, and across the view of a point
-        // between the two.
+        // Three normals are tried: one perpendicular to the far solid's axis, one along that axis, and one
+        // perpendicular to the line from the eye to a point between the two solids.
         let axial = scale(far.axis(), dot(between, far.axis()));
         let flat = difference(between, axial);
         let view = difference(away, scale(between, radius / radii));
@@ -202,7 +204,7 @@ impl Camera {
     }
 }
 
-/// A vector's length; infinite or NaN where its square is, zero where that underflows.
+/// The length of a vector. It is infinite or NaN if the square is, and zero if the square underflows.
 #[inline(never)]
 const fn length(v: F32x3) -> f32 {
     let square = dot(v, v);

@@ -88,16 +88,16 @@ impl Picture<'_> {
     /// Writes the pixels of row y from column x on into `part`, as [`Picture::row`] does those from column 0
     /// on: as many as the row still has there, or as `part` is long.
     ///
-    /// A long part costs less than many short ones: neighbouring pixels share what they can. The pixels are
-    /// the same, but where rounding decides between two shades, or between the two sides of a crease. Seen
-    /// from up to 200 sizes of the solids away those are fewer than one of 10 000 in `Rgb565` and one of 5
-    /// 000 in `Rgb888`. From parts of a single pixel, more of which are cast as rays of their own, they are
-    /// one of 1 000 at most.
+    /// A long part costs less than many short ones, since neighbouring pixels share work. Into whatever parts
+    /// a row is cut, its pixels are the same, except where rounding decides between two shades, or between
+    /// the two sides of a crease. If the eye is at most 200 sizes of the solids away, fewer than one pixel of
+    /// 10000 differs in `Rgb565`, and fewer than one of 5000 in `Rgb888`. With parts of a single pixel, where
+    /// more rays are cast one by one, it is one of 1000 at most.
     pub fn part_of_row<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         self.raster().part_of_row(x, y, part);
     }
 
-    /// The picture by reference.
+    /// What the picture's rows are computed from, by reference.
     pub(crate) const fn raster(&self) -> Raster<'_> {
         let Self { solids, camera, light, background, order, width, height } = self;
         Raster { solids, camera, light, background, order, width: *width, height: *height }

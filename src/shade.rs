@@ -12,13 +12,12 @@ use crate::vector::{F32x3, Vector};
 pub(crate) struct Finish {
     /// The exponent of the highlight, or zero if the solid is matt.
     shininess: u8,
-    /// The direction to the light, in the solid's own space. Its length is [`Share::UNITS`], so that the
-    /// cosine comes out of the dot product in the fixed-point units of a [`Share`].
+    /// The direction to the light, in the solid's own space. Its length is [`Share::UNITS`], so that its dot
+    /// product with a unit normal is the cosine in the fixed-point units of a [`Share`].
     pub to_light: F32x3,
-    /// The color where no direct light falls. It carries the bias of half a shade that [`Paint::shade`]
-    /// expects.
+    /// The color where no direct light falls, plus the half shade that [`Paint::shade`] expects.
     ambient: Shades,
-    /// What direct light adds where it falls at a right angle.
+    /// What direct light adds to the color where it falls along the surface normal.
     direct: Shades,
 }
 
@@ -36,13 +35,14 @@ impl Finish {
         }
     }
 
-    /// The color of a visible point, seen in a column, with the light in direction `to_light`, as long as
-    /// that of the material: the material's own, or its mirror image.
-    // Not always in line: where flash counts, it stands once. Where speed does, the record of instructions
-    // shows whether the compiler decides otherwise.
+    /// The color of a visible point. `column` is that of the ray that sees it; only the highlight depends on
+    /// it. `to_light` is [`Finish::to_light`], or the mirror image of that where a pixel is the mirror image
+    /// of another.
+    // Not `inline(always)`: built for size, the function should stand in flash once. That the compiler
+    // inlines it when it builds for speed shows in the record of instructions.
     #[inline]
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &F32x3, views: &Views) -> Shades {
-        // A negative cosine, a surface that faces away from the light, saturates to zero.
+        // Where the surface faces away from the light the cosine is negative: `Share::new` makes it zero.
         let cosine = seen.per_length * seen.gradient.dot(*to_light);
         let diffuse = self.ambient.with(self.direct.dimmed(Share::new(cosine)));
         if self.shininess == 0 {
@@ -53,13 +53,13 @@ impl Finish {
         diffuse.with_up_to(white.dimmed(share), const { Shades::of(most_shades::<C>()).rounded() })
     }
 
-    /// The share of white that the highlight adds, given the unit normal, the light's direction, and the
-    /// column whose ray sees the point.
+    /// The share of white that the highlight adds, given the unit normal, the direction to the light, of
+    /// length [`Share::UNITS`], and the column whose ray sees the point.
     #[cold]
     fn specular(&self, normal: F32x3, to_light: &F32x3, views: &Views, column: u32) -> Share {
         let view = views.first + views.step * column as f32;
         let nl = normal.dot(*to_light);
-        // r·v, where r is the light's direction mirrored by the surface, and v is against the view.
+        // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
         let rv = to_light.dot(view) - 2.0 * nl * normal.dot(view);
         let rv = rv * (rsqrt(view.dot(view)) * (1.0 / Share::UNITS));
         Share::of_one(Light::highlight(self.shininess, nl, rv))

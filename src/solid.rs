@@ -95,16 +95,18 @@ impl<'a> Solid<'a> {
         Surface { point: ray.at(hit.t), normal: array(self.pose.rotation.turn(normal)) }
     }
 
-    /// A ray of the world that goes on from a hit of this solid, as [`Lathe::spawn`]: the offset is
-    /// `16·2⁻²⁴·(4·R + distance + |origin| + |point|)`, all in the world, `distance` to where the solid's own
-    /// space has its origin, plus its middle's height in there.
+    /// A ray of the world that goes on from a hit of this solid, as [`Lathe::spawn`]. The offset is
+    /// `16·2⁻²⁴·(4·R + distance + |origin| + |point|)`, all measured in the world. R is the radius of the
+    /// smallest ball around the solid, and `|origin|` and `|point|` are the sums of the coordinates of the
+    /// ray's origin and of the hit. `distance` is the same sum for the vector from the pose's position to the
+    /// ray's origin, plus the distance of the position from the middle of the solid's axis.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Pose, Profile, Ray, Rgb, Rotation, Segment, Solid, valid};
     ///
-    /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
-    /// let at = |x| Pose::new([x, 0.0, 0.0], Rotation::IDENTITY, 1.0).map(|pose| Solid::new(&BALL, Rgb::WHITE).posed(pose));
-    /// let solids = [at(0.0)?, at(3.0)?];
+    /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0))); let at = |x|
+    /// Pose::new([x, 0.0, 0.0], Rotation::IDENTITY, 1.0).map(|pose| Solid::new(&BALL,
+    /// Rgb::WHITE).posed(pose)); let solids = [at(0.0)?, at(3.0)?];
     ///
     /// let ray = Ray::new([0.9, -4.0, 0.0], [0.0, 1.0, 0.0])?;
     /// let hit = solids[0].nearest(&ray, 0.0).unwrap();
@@ -115,7 +117,7 @@ impl<'a> Solid<'a> {
     ///
     /// # Errors
     ///
-    /// As [`Ray::new`]: of the direction, and of a place beyond f32's range.
+    /// Those of [`Ray::new`]: for `direction`, and for a starting point beyond f32's range.
     pub fn spawn(&self, ray: &Ray, hit: &Hit, direction: [f32; 3]) -> Result<Ray, RayError> {
         let Pose { position, scale, .. } = self.pose;
         let own = scale * (4.0 * self.lathe.ball() + self.lathe.middle().abs());
@@ -133,20 +135,21 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// A direction of the world, turned into object space; its length stays.
+    /// A direction of the world in object space. Its length does not change.
     #[inline(always)]
     pub(crate) const fn direction_into(&self, direction: F32x3) -> F32x3 {
         self.pose.rotation.back(direction)
     }
 
-    /// The origin of object space, in the world.
+    /// The point of the world where object space has its origin.
     pub(crate) const fn position(&self) -> F32x3 {
         self.pose.position
     }
 
     /// The vector from a point to the center of the cylinder around the solid, in the world.
     pub(crate) const fn center_from(&self, point: F32x3) -> F32x3 {
-        // Positions are subtracted first: beside a large position the rest would be lost to rounding.
+        // The positions are subtracted first: if the smaller vector were added to a large position before, it
+        // would be lost to rounding.
         let to_position = difference(self.pose.position, point);
         sum(to_position, scale(self.axis(), self.lathe.middle() * self.pose.scale))
     }
@@ -161,7 +164,8 @@ impl<'a> Solid<'a> {
         self.lathe.half_height() * self.pose.scale
     }
 
-    /// The radius of that cylinder, infinite around a sheet.
+    /// The radius of the cylinder around the solid, in the world. Infinite if the squash k is zero: then the
+    /// solid is endless along x.
     pub(crate) const fn radius(&self) -> f32 {
         self.lathe.radius() * self.pose.scale
     }

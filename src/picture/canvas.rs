@@ -9,8 +9,9 @@ use crate::vector::{F32x3, Vector};
 /// A part of a row of pixels, and what colors a solid on it.
 pub(super) struct Canvas<'a, C> {
     finish: Finish,
-    /// If the left half of the row sees the right half's mirror image: the mirror image of the direction to
-    /// the light. What the left half sees looks as what the right half sees does in that light.
+    /// The mirror image of the direction to the light, if the left half of the row sees the mirror image of
+    /// what the right half sees. A pixel of the left half then has the color that its mirror image in the
+    /// right half would have in the mirrored light. `None` if each half is swept by itself.
     mirrored: Option<F32x3>,
     /// The column that `run` begins with, and the row.
     x: u32,
@@ -28,7 +29,8 @@ impl<'a, C: Paint> Canvas<'a, C> {
         Self { finish, mirrored, x, y, run }
     }
 
-    /// Paints the half of the row that is to be swept, and its mirror image, from the middle outwards.
+    /// Paints the half of the row that the sweep is at, from the middle outwards, and its mirror image, if
+    /// there is one, with it.
     #[inline(never)]
     pub fn half_row(&mut self, along: &mut SolidRow) {
         let mut i = 0;
@@ -52,8 +54,8 @@ impl<'a, C: Paint> Canvas<'a, C> {
         let SolidRow { sweep, views, .. } = along;
         let mut at = (sweep.column(i) - x) as usize;
         let step = if sweep.is_reversed() { usize::MAX } else { 1 };
-        // A pixel's place and its mirror image's add up to this, or, without one, to what puts that outside
-        // of the run.
+        // The index in `run` of a pixel's mirror image is this less the pixel's own index. Without a mirror
+        // image that difference lies outside of `run`.
         let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
         let mirrored = mirrored.unwrap_or(finish.to_light);
         sweep.track(i, to, |seen| {
@@ -89,7 +91,7 @@ impl<'a, C: Paint> Canvas<'a, C> {
     fn single(&mut self, along: &mut SolidRow, i: u32) -> u32 {
         let own = along.sweep.column(i);
         let mut column = if self.mirrored.is_some() { along.sweep.mirrored_column(i) } else { own };
-        // The pixel's own ray last: where it meets the solid the sweep goes on.
+        // The pixel's own ray is cast last, because the sweep goes on from the hit that is reported last.
         loop {
             if let Some(seen) = along.cast(i, column) {
                 self.put(column, &seen, &along.views);

@@ -7,27 +7,27 @@ use core::num::NonZeroU32;
 /// How many pixels are computed at once where the caller lends no memory: `Scene::draw` keeps them on its
 /// stack.
 ///
-/// A choice between stack and time: every run of every solid is set up anew, so that the vase of the README,
-/// drawn, takes 2.7 times as long as by rows of 240. It divides 240 and 320, the usual widths, and is a
-/// multiple of 8, the period of the dithering.
+/// The value is a choice between stack and time. Each solid is set up anew for every run, so that the
+/// README's vase, drawn in runs of 40, takes 2.7 times as long as in rows of 240. 40 divides the usual
+/// widths, 240 and 320, and is a multiple of 8, the period of the dithering.
 pub(crate) const RUN: usize = 40;
 
 /// An iterator over the pixels of a rectangle, row by row from its upper left corner.
 ///
-/// It computes a run of pixels at a time into the memory that it was lent. `nth` skips without computing what
-/// is skipped: it costs one run at most.
+/// It computes a run of pixels at a time, in memory that the caller lends. `nth` computes no run but that of
+/// the pixel it returns.
 pub(crate) struct Pixels<'a, C> {
     raster: &'a Raster<'a>,
     left: u32,
     top: u32,
     width: NonZeroU32,
-    /// The number of the next pixel, counted row by row from 0, and the number of pixels.
+    /// The number of the next pixel, counted row by row from 0, and the number of all pixels.
     next: u32,
     end: u32,
     /// The length of `run`. Rows are cut into runs of this length, from the rectangle's left edge on.
     capacity: NonZeroU32,
     run: &'a mut [C],
-    /// The number of the pixel that `run` begins with, and how many of its pixels are computed.
+    /// The number of the pixel that `run` begins with, and how many pixels of `run` are computed.
     run_start: u32,
     ready: u32,
 }
@@ -47,7 +47,7 @@ impl<'a, C: Paint> Pixels<'a, C> {
         Some(Self { raster, left: x, top: y, width, next: 0, end, capacity, run, run_start: 0, ready: 0 })
     }
 
-    /// Computes the run that the pixel of number `next` is in.
+    /// Computes the run that contains the next pixel.
     #[inline]
     fn compute_run(&mut self) {
         let (row, column) = (self.next / self.width, self.next % self.width);

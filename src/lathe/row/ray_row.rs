@@ -2,8 +2,8 @@
 
 use crate::vector::{F32x3, dot};
 
-/// The rays of a row of pixels, counted from one of them or from between two: the ray of pixel i has origin
-/// `origin + i·origin_step` and direction `direction + i·direction_step`.
+/// The rays of a row of pixels. The ray of pixel i has origin `origin + i·origin_step` and direction
+/// `direction + i·direction_step`; i counts from any point of the row, so that it need not be whole.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayRow {
     pub origin: F32x3,
@@ -18,9 +18,9 @@ impl RayRow {
         Self { origin_step: self.origin_step * -1.0, direction_step: self.direction_step * -1.0, ..*self }
     }
 
-    /// The same rays counted from pixel i, and each origin moved along its ray by the same multiple of the
-    /// direction, which is returned: the one that brings pixel i's origin to where its ray is nearest to
-    /// zero.
+    /// The same rays counted from pixel i, with other origins, and a number. Each origin is moved along its
+    /// ray by that number times the ray's direction, so that pixel i's origin comes to where its ray is
+    /// nearest to zero.
     #[inline(always)]
     pub fn about(&self, i: f32) -> (Self, f32) {
         let (o, d) = self.at(i);

@@ -358,8 +358,11 @@ fn the_pictures_in_the_documents_are_up_to_date() {
 
 /// By its numbers, as they are written there.
 #[test]
-fn the_readme_begins_with_the_vase_that_it_shows() {
+fn the_readme_lists_the_bottle_and_the_vase_that_it_shows() {
     let readme = include_str!("../README.md");
+    let points = scenes::BOTTLE_POINTS.map(|(height, radius)| format!("({height:?}, {radius:?})")).join(", ");
+    assert!(readme.contains(&points), "{points}");
+    assert!(readme.contains("](docs/bottle.png)"));
     for numbers in [&scenes::VASE_KNOTS[..], &scenes::VASE_ORDINATES] {
         let listed = format!("&{numbers:?}");
         assert!(readme.contains(&listed), "{listed}");

@@ -10,6 +10,30 @@ use embedded_lathe::{
     valid,
 };
 
+/// A bottle's points of height and radius, bottom to top: its base, from the axis out to the wall, a belly, a long neck, its mouth.
+pub const BOTTLE_POINTS: [(f32, f32); 9] = [
+    (0.0, 0.0),
+    (0.0, 0.24),
+    (0.06, 0.30),
+    (0.24, 0.35),
+    (0.42, 0.30),
+    (0.58, 0.18),
+    (0.74, 0.11),
+    (0.92, 0.10),
+    (1.0, 0.14),
+];
+
+/// A bottle, smooth through its points, open at the top.
+pub static BOTTLE: Lathe<[Segment; 7]> = Lathe::turn(valid!(Profile::through(&BOTTLE_POINTS)));
+
+/// The bottle, as README begins.
+pub static BOTTLE_SCENE: Scene = Scene::new(
+    &[Solid::new(&BOTTLE, Rgb::new(0.25, 0.55, 0.5)).shiny(40)],
+    valid!(vase_camera([0.0, 0.0, 1.0])),
+    DAYLIGHT,
+)
+.with_background(PLAIN);
+
 /// The vase's joins, bottom to top.
 pub const VASE_KNOTS: [f32; 5] = [0.0, 0.25, 0.6, 0.85, 1.0];
 
@@ -174,7 +198,8 @@ pub static PAWNS: Scene = Scene::new(
 .with_background(SKY);
 
 /// All of them, and what their pictures in `docs` are called.
-pub static NAMED: [(&str, &Scene); 6] = [
+pub static NAMED: [(&str, &Scene); 7] = [
+    ("bottle", &BOTTLE_SCENE),
     ("vase", &VASE_SCENE),
     ("tilted-vase", &TILTED_SCENE),
     ("bowl", &BOWL_SCENE),

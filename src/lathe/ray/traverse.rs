@@ -5,14 +5,17 @@ use super::is_beyond;
 use super::local_ray::LocalRay;
 use crate::hit::{Hit, Part};
 use crate::lathe::frame::{Frame, View};
-use crate::math::Math;
+use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
+use crate::math::{Math, UNIT_ROUNDOFF};
 use crate::solve::Solver;
 use core::ops::ControlFlow;
 
-/// How far the place nearest to the axis may be off, relative: it is a quotient of two sums of two products, four roundings of
-/// 2⁻²⁴.
-const NEAREST_ERROR: f32 = 1.0 / 4_194_304.0;
+/// The relative error of the t at which a ray is nearest to the axis, and of what is computed from it: two
+/// roundings of q, a product and a sum, one of the quotient and one of the sum with `half`. The rounding of
+/// the quotient's numerator moves that t by 2·2⁻²⁴ of the ray's distance over √q: the widening of the
+/// bounding cylinder covers it (see [`widened`](crate::lathe::segment::widened)).
+const NEAREST_ERROR: f32 = 4.0 * UNIT_ROUNDOFF;
 
 /// Where a ray may meet a lathe: from `from` to `to`, in the local ray's t.
 struct Interval {
@@ -25,10 +28,11 @@ struct Interval {
 }
 
 impl Interval {
-    /// Between the profile's ends, within the bounding cylinder, beyond `t_min`. `None` if that is empty or without end.
+    /// The interval between the profile's ends, within the bounding cylinder, beyond `t_min`. `None` if it is
+    /// empty or infinite.
     ///
-    /// A bound that does not exist (the plane of an end for a horizontal ray, the cylinder for a vertical one) is infinite, or
-    /// NaN, which `lesser` and `greater` pass over: neither ray is a special case.
+    /// A bound that does not exist (the plane of an end for a horizontal ray, the cylinder for a vertical
+    /// one) is infinite, or NaN, which `lesser` and `greater` ignore: neither ray is a special case.
     #[inline(always)]
     fn new<M: Math>(frame: &Frame, ray: &LocalRay, t_min: f32) -> Option<Self> {
         if ray.square > frame.bounding_square {
@@ -40,7 +44,7 @@ impl Interval {
         let inner = greater(first, bottom);
         let from = greater(inner, ray.nearest - half);
         let to = lesser(ray.nearest + half, top);
-        // Without end: the ray lies along an endless sheet, and g is the same all along it.
+        // It is infinite for a ray that lies along an infinite sheet: g is the same all along such a ray.
         if !(from < to && (to - from).is_finite()) {
             return None;
         }
@@ -50,13 +54,14 @@ impl Interval {
     }
 }
 
-/// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order, until `meet` breaks
-/// off. Returns what `meet` broke off with.
+/// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
+/// until `meet` breaks off. Returns what `meet` broke off with, or `None` if it never did.
 ///
-/// The state is which side of the surface the ray is on. On the plane between two segments their common radius decides it, for
-/// both: a crossing that one of them finds beyond its end, and the other before its beginning, is reported there. Where they
-/// have no common radius, at a step, each side of the plane has its own, and a ray that changes sides there meets the ring
-/// between the two. The plane of an end is a step, too, to the radius of what is open there.
+/// The state is on which side of the surface the ray is. On the plane between two segments their common
+/// radius decides it, for both: a crossing that one of them finds beyond its end, and the other before its
+/// beginning, is reported there. Where they have no common radius, at a step, each side of the plane has its
+/// own, and a ray that changes sides there meets the ring between the two. The plane of an end is a step,
+/// too, to the radius of what is open there.
 #[inline(always)]
 pub(super) fn traverse<S: Solver, B>(
     lathe: View<'_>,
@@ -64,71 +69,120 @@ pub(super) fn traverse<S: Solver, B>(
     t_min: f32,
     mut meet: impl FnMut(Hit) -> ControlFlow<B>,
 ) -> Option<B> {
-    let View { frame, segments } = lathe;
-    let interval = Interval::new::<S::Math>(frame, ray, t_min)?;
-    let up = ray.rises();
-    let (first, step) = if up { (0, 1) } else { (frame.len - 1, usize::MAX) };
-    let (entry, exit) = if up { (&frame.base, &frame.top) } else { (&frame.top, &frame.base) };
-    let mut index = if interval.starts_at_plane { first } else { lathe.index_at(ray.height(interval.from)) };
-    let mut at = interval.from;
-    let mut square = ray.around(at).0;
-    // The squared radius on this side of the plane that the ray has come to, unless it begins between planes.
-    let mut before = interval.starts_at_plane.then_some(entry.beyond);
-    let mut inside = if interval.starts_at_plane {
-        entry.beyond > square
-    } else {
-        !interval.starts_outside && ray.g_about(segments.get(index)?, at).c[0] > 0.0
-    };
+    let interval = Interval::new::<S::Math>(lathe.frame, ray, t_min)?;
+    let mut traversal = Traversal::enter(lathe, ray, &interval)?;
     // Once a crossing is beyond t_min all that follow are, however their t is rounded.
     let mut since = t_min;
+    let mut report = |hit: Hit| {
+        if !is_beyond(hit.t, since) {
+            return ControlFlow::Continue(());
+        }
+        since = f32::NEG_INFINITY;
+        meet(hit)
+    };
     loop {
-        let segment = segments.get(index);
-        let behind = segment.map_or(exit.beyond, |segment| segment.end(!up));
-        if let Some(before) = before
-            && (behind > square) != inside
+        let segment = lathe.segments.get(traversal.index);
+        if let Some(hit) = traversal.plane(segment)
+            && let ControlFlow::Break(found) = report(hit)
         {
-            inside = !inside;
-            let is_step = before.to_bits() != behind.to_bits();
-            let hit = plane_hit(frame, ray.distance(at), index, is_step, up, inside);
-            if is_beyond(hit.t, since) {
-                since = f32::NEG_INFINITY;
-                if let ControlFlow::Break(found) = meet(hit) {
-                    return Some(found);
-                }
-            }
+            return Some(found);
         }
-        let segment = segment?;
-        let plane = ray.plane(if up { segment.high } else { segment.low });
-        let (end, is_to_plane) = (lesser(interval.to, plane), plane <= interval.to);
-        let is_near = ray.around(ray.closest(at, end)).0 <= segment.bounding_square;
-        square = ray.around(end).0;
-        // A ray that is inside at the beginning of a chord that is not near has left the solid there, by less than rounding.
-        if is_near || inside {
-            let ends_inside = is_to_plane && segment.end(up) > square;
-            let chord = Chord::new(ray, segment, index, [at, end]);
-            let mut crossings = chord.crossings(inside, ends_inside);
-            while let Some(s) = crossings.next::<S>() {
-                inside = !inside;
-                let hit = chord.hit(s, inside);
-                if is_beyond(hit.t, since) {
-                    since = f32::NEG_INFINITY;
-                    if let ControlFlow::Break(found) = meet(hit) {
-                        return Some(found);
-                    }
-                }
-            }
+        match traversal.slab::<S, B>(segment?, interval.to, &mut report) {
+            ControlFlow::Continue(true) => {}
+            ControlFlow::Continue(false) => return None,
+            ControlFlow::Break(found) => return Some(found),
         }
-        // Where it leaves the bounding cylinder it is outside for good.
-        if !is_to_plane {
-            return None;
-        }
-        (at, before) = (end, Some(segment.end(up)));
-        index = index.wrapping_add(step);
     }
 }
 
-/// The hit on a plane where a ray changes sides: of the ring there, if it is a step's or an end's; else of the wall's circle, where a
-/// segment is too low for the crossing to be found within. `index` is the number of the segment behind the plane, if there is one.
+/// A ray on its way through the slabs.
+struct Traversal<'a> {
+    frame: &'a Frame,
+    ray: &'a LocalRay,
+    /// Whether the ray rises, or is horizontal.
+    up: bool,
+    /// The number of the segment that the ray comes to.
+    index: usize,
+    /// The t at which it does, and the squared distance from the axis there.
+    at: f32,
+    square: f32,
+    /// The squared radius at the end of the segment before. `None` if the ray begins between planes.
+    before: Option<f32>,
+    /// Whether the ray is inside the solid.
+    inside: bool,
+}
+
+impl<'a> Traversal<'a> {
+    /// The ray where it comes to the lathe: on the plane of an end, on the bounding cylinder, or at `t_min`.
+    /// `None` if no segment is there.
+    #[inline(always)]
+    fn enter(lathe: View<'a>, ray: &'a LocalRay, interval: &Interval) -> Option<Self> {
+        let View { frame, segments } = lathe;
+        let (up, at) = (ray.rises(), interval.from);
+        let square = ray.around(at).0;
+        let (index, before, inside);
+        if interval.starts_at_plane {
+            let (first, end) = if up { (0, &frame.base) } else { (frame.len - 1, &frame.top) };
+            (index, before, inside) = (first, Some(end.beyond), end.beyond > square);
+        } else {
+            (index, before) = (lathe.index_at(ray.height(at)), None);
+            inside = !interval.starts_outside && ray.g_about(segments.get(index)?, at).c[0] > 0.0;
+        }
+        Some(Self { frame, ray, up, index, at, square, before, inside })
+    }
+
+    /// Passes the plane that the ray has come to, given the segment behind it, or `None` behind the last.
+    /// Returns the hit on the plane if the ray changes sides there.
+    #[inline(always)]
+    fn plane(&mut self, segment: Option<&Segment>) -> Option<Hit> {
+        let before = self.before?;
+        let exit = if self.up { &self.frame.top } else { &self.frame.base };
+        let behind = segment.map_or(exit.beyond, |segment| segment.end(!self.up));
+        if (behind > self.square) == self.inside {
+            return None;
+        }
+        self.inside = !self.inside;
+        let is_step = before.to_bits() != behind.to_bits();
+        Some(plane_hit(self.frame, self.ray.distance(self.at), self.index, is_step, self.up, self.inside))
+    }
+
+    /// Passes the slab of the segment, as far as `to`, and reports the hits in it. Returns whether the ray
+    /// comes to the next plane, or what `report` broke off with.
+    #[inline(always)]
+    fn slab<S: Solver, B>(
+        &mut self,
+        segment: &Segment,
+        to: f32,
+        report: &mut impl FnMut(Hit) -> ControlFlow<B>,
+    ) -> ControlFlow<B, bool> {
+        let (ray, up, at) = (self.ray, self.up, self.at);
+        let plane = ray.plane(if up { segment.high } else { segment.low });
+        let (end, is_to_plane) = (lesser(to, plane), plane <= to);
+        let is_near = ray.around(ray.closest(at, end)).0 <= segment.bounding_square;
+        self.square = ray.around(end).0;
+        // A chord outside the segment's cylinder is passed over, unless the ray comes into it inside the
+        // solid: then rounding has put the crossing behind the plane, and the chord finds it at its
+        // beginning.
+        if is_near || self.inside {
+            let ends_inside = is_to_plane && segment.end(up) > self.square;
+            let chord = Chord::new(ray, segment, self.index, [at, end]);
+            let mut crossings = chord.crossings(self.inside, ends_inside);
+            while let Some(s) = crossings.next::<S>() {
+                self.inside = !self.inside;
+                report(chord.hit(s, self.inside))?;
+            }
+        }
+        // If it comes to no plane it ends on the bounding cylinder, and is outside for good.
+        (self.at, self.before) = (end, Some(segment.end(up)));
+        self.index = self.index.wrapping_add(if up { 1 } else { usize::MAX });
+        ControlFlow::Continue(is_to_plane)
+    }
+}
+
+/// The hit on a plane where a ray changes sides, at the [`Ray`](crate::Ray)'s t: on the ring there, if
+/// `is_step`; else on the circle of the wall, where a segment is too low for the crossing to be found within.
+/// `index` is the number of the segment behind the plane, one past the last or `usize::MAX` if there is none;
+/// `up` says whether the ray rises, `enters` whether it enters the solid.
 #[inline(never)]
 fn plane_hit(frame: &Frame, t: f32, index: usize, is_step: bool, up: bool, enters: bool) -> Hit {
     // Of the segment above the plane.

@@ -1,22 +1,30 @@
-//! A profile made ready to meet rays: the *lathe*, its *segments*, and its own *frame*.
+//! A profile prepared for rays: the *lathe*, its *segments*, and its own *frame*.
 //!
 //! ```text
 //! Ray ─┬─ LocalRay ───── Chord ─────────────── Cubic ──────── crossings ── Hit
-//!      │  the ray in     what of it lies in    g about the    where g
-//!      │  the lathe's    one segment's slab    chord's        changes
+//!      │  the ray in     its part in one       g about the    where g
+//!      │  the lathe's    segment's slab        chord's        changes
 //!      │  own frame                            narrowest      sign
 //!      └─ fast path: most rays need no more
 //! ```
 //!
-//! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so
-//! along a chord g is a cubic, and because it is formed about the chord's point nearest to the axis, every
-//! number in it has the size of the segment, whatever the ray's origin or slope. A chord whose nearest point
-//! lies outside the segment's cylinder is passed over, but by a ray inside.
+//! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so g
+//! is a cubic along a chord. It is formed about the chord's point nearest to the axis, so all its
+//! coefficients have the size of the segment, however far away the ray's origin is and however steep the ray.
+//! A chord is passed over if its nearest point lies outside the segment's bounding cylinder, unless the ray
+//! is inside the solid where the chord begins.
 //!
-//! Whether the ray is inside or outside is carried from chord to chord. It changes at crossings only, and
-//! where it starts is known; so a crossing can be found a rounding early or late at a join, not lost there.
+//! The traversal carries from chord to chord on which side of the surface the ray is. That is known where the
+//! ray begins, and changes at crossings only. So rounding can move a crossing across a join, but not lose it
+//! there.
 //!
-//! Three rooms: the ground (`frame.rs`, `segment.rs`), one ray (`ray/`), and the rays of a row of pixels together (`row/`).
+//! The files are in three groups:
+//!
+//! | where | what |
+//! |---|---|
+//! | `frame.rs`, `segment.rs` | what a lathe is made of: one frame, and segments, with their bounds |
+//! | `ray/` | one ray: the fast path, the traversal, and the queries that use them |
+//! | `row/` | the rays of a row of pixels together: a sweep, and the spans of pixels that it finds |
 
 mod frame;
 mod ray;
@@ -31,14 +39,14 @@ use crate::math::minmax::greater;
 use crate::math::{cold_path, const_fn};
 use crate::profile::Profile;
 use crate::vector::{F32x3, largest, saturated, vector};
-use frame::{EndPlane, Frame, View};
+use frame::{Bounds, EndPlane, Frame, View};
 use segment::{greater_or_nan, power_of_two_for, widened};
 
 /// A turned solid in its own space: the z axis is the axis of rotation.
 ///
 /// `Lathe<[Segment; N]>` owns the segments of a [`Profile<N>`](Profile) and can be a `static`, in flash. A
-/// scene takes `&Lathe`, of any number of segments: a reference to the one becomes a reference to the other
-/// by itself.
+/// scene takes `&Lathe`, which is `&Lathe<[Segment]>`, a reference to a lathe of any number of segments; the
+/// compiler coerces `&Lathe<[Segment; N]>` to it.
 ///
 /// ```
 /// use embedded_lathe::{Lathe, Profile, Ray, Segment, valid};
@@ -59,12 +67,12 @@ use segment::{greater_or_nan, power_of_two_for, widened};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lathe<S: ?Sized = [Segment]> {
     frame: Frame,
-    /// As many as the frame says, then spare room, empty.
+    /// As many segments as the frame's `len` says, then [`Segment::EMPTY`] up to the capacity.
     segments: S,
 }
 
 impl<const N: usize> Lathe<[Segment; N]> {
-    /// Makes a profile ready. Cost: some 80 operations a segment, once; none at run time in a `const`.
+    /// The lathe of a profile. Cost: some 80 operations a segment, once; none at run time in a `const`.
     #[must_use]
     pub const fn turn(profile: Profile<N>) -> Self {
         let len = profile.len;
@@ -77,22 +85,14 @@ impl<const N: usize> Lathe<[Segment; N]> {
             segments[i] = Segment::new(&profile.spans[i], middle, scale);
             i += 1;
         }
-        let (mut max_slope, mut curvature, mut convexity, mut slope_jumps, mut steps) =
-            (0.0, 0.0, 0.0, 0.0, 0.0);
         let mut i = 0;
-        while i < len {
-            if i + 1 < len {
-                segments[i] = segments[i].before(&segments[i + 1]);
-                steps += (segments[i + 1].b[0] - segments[i].b[3]).abs();
-            }
-            convexity = greater_or_nan(convexity, segments[i].convexity);
-            slope_jumps += segments[i].slope_jump;
-            max_slope = greater_or_nan(max_slope, segments[i].max_slope());
-            curvature = greater_or_nan(curvature, segments[i].curvature());
+        while i + 1 < len {
+            segments[i] = segments[i].before(&segments[i + 1]);
             i += 1;
         }
+        let Bounds { max_slope, curvature, convexity, slope_jumps, steps } = Bounds::of(&segments, len);
         let (low, high) = (segments[0].low, segments[len - 1].high);
-        // The middle is rounded.
+        // The two may differ in magnitude, for the middle is rounded.
         let half = high.max(-low);
         let bounding_square = widened(largest * scale * scale);
         let root_squash = const_fn::sqrt(profile.squash);
@@ -101,7 +101,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
         let square = scale * scale;
         let base = EndPlane::new(segments[0].b[0], profile.below * square, Part::Base);
         let top = EndPlane::new(segments[len - 1].b[3], profile.above * square, Part::Top);
-        // By how much g may jump upwards along a ray, in all.
+        // An upper bound of the sum of g's upward jumps along a ray.
         let jumps = steps + base.flange() + top.flange();
         let frame = Frame {
             len,
@@ -133,13 +133,13 @@ impl<const N: usize> Lathe<[Segment; N]> {
 }
 
 impl<S: ?Sized> Lathe<S> {
-    /// How many segments the profile has.
+    /// The number of the profile's segments.
     #[must_use]
     pub const fn segments(&self) -> usize {
         self.frame.len
     }
 
-    /// The heights of the lower and of the upper end: those of the profile, to 2⁻²³ of the larger.
+    /// The heights of the lower and the upper end: the profile's, within 2⁻²³ of the one of larger magnitude.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, valid};
@@ -154,8 +154,8 @@ impl<S: ?Sized> Lathe<S> {
         [middle + low / scale, middle + high / scale]
     }
 
-    /// The largest radius, between the knots or at one, to 10⁻⁶ of it. Along x a squashed solid reaches farther, to that over
-    /// √k.
+    /// The largest radius along y, at a knot or between knots, to 10⁻⁶ of it. Along x a squashed solid
+    /// extends to 1/√k times as much.
     #[must_use]
     pub const fn largest_radius(&self) -> f32 {
         const_fn::sqrt(self.frame.bounding_square / widened(1.0)) / self.frame.scale
@@ -163,39 +163,44 @@ impl<S: ?Sized> Lathe<S> {
 }
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
+    /// The lathe with the segments that are in use.
     #[inline(always)]
     fn view(&self) -> View<'_> {
         View { frame: &self.frame, segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]) }
     }
 
-    /// With the spare room.
+    /// The lathe with all segments, the spare ones, which no ray meets, too. It takes no slice, and so is
+    /// cheaper.
     #[inline(always)]
     fn view_with_spare(&self) -> View<'_> {
         View { frame: &self.frame, segments: self.segments.as_ref() }
     }
 
-    /// The height half way up.
+    /// The height half way between the ends, in object space.
     pub(crate) const fn middle(&self) -> f32 {
         self.frame.middle
     }
 
-    /// Half the height of the cylinder around it.
+    /// Half the distance between the ends, in object space.
     pub(crate) const fn half_height(&self) -> f32 {
         self.frame.half_height
     }
 
-    /// The radius of that, infinite around a sheet.
+    /// The radius of a cylinder that contains the solid, in object space: infinite for a sheet (k = 0).
     pub(crate) const fn radius(&self) -> f32 {
         self.frame.radius
     }
 
-    /// The radius of a ball around all of a solid, or of what a sheet repeats along x.
+    /// The radius, in object space, of a ball about the middle of the axis that contains the solid, x scaled
+    /// by √k.
     pub(crate) fn ball(&self) -> f32 {
         self.frame.size / self.frame.scale
     }
 
-    /// A vector along the outward normal at a point of the surface, its largest component a normal number: half of
-    /// `(2k·x, 2y, −f′(u)/h)` on the wall, in the lathe's frame; on a cap, and where that vector is zero, along the axis.
+    /// An outward normal, not of unit length, at a point of the surface in object space, given the hit there:
+    /// on the wall half of the gradient `(2k·x, 2y, −f′(u)/h)` in the lathe's frame; on a cap or a ring, and
+    /// where that gradient vanishes or is NaN, a unit vector along the axis. Its largest component is a
+    /// normal number, neither subnormal nor infinite.
     pub(crate) fn gradient_at(&self, point: F32x3, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
         let faces_up = match hit.part {
@@ -207,11 +212,11 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         if let Some(faces_up) = faces_up {
             return vector([0.0, 0.0, if faces_up { 1.0 } else { -1.0 }]);
         }
-        // NaN for a segment of no height in the frame, whose 1/h is infinite.
+        // NaN for a segment whose height vanishes in the frame: its 1/h is infinite.
         let slope = segments.get(hit.segment).map_or(0.0, |segment| segment.at(hit.u).1 * segment.per_height);
         let (x, y) = (frame.squash * frame.scale * point.x, frame.scale * point.y);
         let gradient = vector([x, y, -0.5 * slope]);
-        // NaN if the slope is, infinite if any component is.
+        // NaN if the slope is NaN, infinite if any component is.
         let size = greater(greater(gradient.z.abs(), x.abs()), y.abs());
         if size >= f32::MIN_POSITIVE && size <= f32::MAX {
             return gradient;

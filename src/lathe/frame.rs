@@ -1,31 +1,50 @@
-//! What the segments of a lathe have in common, and a lathe seen whatever its number of segments.
+//! What the segments of a lathe have in common: the frame, the planes of its ends, and bounds of the whole
+//! profile.
 
-use super::segment::Segment;
+use super::segment::{Segment, greater_or_nan};
 use crate::hit::Part;
+use crate::math::UNIT_ROUNDOFF;
 use crate::vector::{F32x3, vector};
 
-/// Doubt is this times `(2 + S)·(BASE_DISTANCE·size + |back|·(q + dz²))`, S the profile's max_slope: sixteen units of 2⁻²⁴.
+/// The tolerance of a length or a height, over the distance that it was computed from: 16 units of 2⁻²⁴.
 ///
-/// Rounding puts the square of the distance from the axis off by 23·r² units at most, r the radius, and 4·|back|·√q; the
-/// squared radius by 10·r² + 4.5·S·size, and by S times what the height is off by, 9·size + 3·r·|dz|/√q + 11·|back·dz|.
-/// On an end's plane the former is off by what the height is, times |2·q·away/dz|, more: there doubt is 1 + |q·away/dz| times
-/// as large.
-/// Where K is below zero, |dz|/√q is below 8; where q is no less than 1/4, √q is at most 2·(q + dz²), |dz| at most q + dz².
-pub const LENGTH_TOLERANCE: f32 = 16.0 / 16_777_216.0;
-/// How many times the solid's size.
+/// The fast path's tolerance in g is built on it. With S the largest slope of the profile and `back` the
+/// distance from a place on the ray to the ray's origin, in units of the direction, it is
+///
+/// `LENGTH_TOLERANCE·(2 + S)·(BASE_DISTANCE·size + |back|·(q + dz²))`.
+///
+/// Rounding changes, in units of 2⁻²⁴, x² + y² by at most 23·r² + 4·|back|·√q, r the largest radius; f by at
+/// most 10·r² + 4.5·S·size; and the height by at most 9·size + 3·r·|dz|/√q + 11·|back·dz|, which changes f by
+/// S times that. Here r² ≤ 2·r ≤ 2·size, for r < 2. A ray with K < 0 has |dz|/√q < 8, by [`LEAST_CONVEXITY`];
+/// a ray with q ≥ 1/4 has √q ≤ 2·q and |dz| ≤ q + dz². So the tolerance is larger, term by term:
+///
+/// | terms in | rounding, at most | tolerance |
+/// |---|---|---|
+/// | 1 | 33·r² ≤ 66·size | 80·size |
+/// | S | 13.5·size + 24·r ≤ 37.5·size | 40·size |
+/// | \|back\| | 4·√q ≤ 8·(q + dz²) | 32·(q + dz²) |
+/// | S·\|back\| | 11·\|dz\| ≤ 11·(q + dz²) | 16·(q + dz²) |
+///
+/// On the plane of an end, at the distance s from the point nearest to the axis, the error of the height
+/// changes x² + y² by |2·q·s/dz| times itself, 66·size + 22·|back|·(q + dz²) times |q·s/dz|. There the
+/// tolerance is multiplied by 1 + |q·s/dz|.
+pub const LENGTH_TOLERANCE: f32 = 16.0 * UNIT_ROUNDOFF;
+
+/// How much distance the tolerance adds, over the size of the solid: see [`LENGTH_TOLERANCE`].
 pub const BASE_DISTANCE: f32 = 2.5;
 
-/// The least that `convexity` is taken for.
+/// The least value of [`Frame::convexity`]: with it K < 0 means dz² < 64·q, which [`LENGTH_TOLERANCE`] takes
+/// for granted.
 pub const LEAST_CONVEXITY: f32 = 1.0 / 64.0;
 
-/// What the segments of a lathe have in common.
-///
-/// Its own frame is object space moved so that the origin is half way up, and scaled.
+/// The lathe's frame, object space moved so that the origin is half way up the axis, and scaled; and what is
+/// known of the whole lathe. Lengths are in the frame unless a field says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Frame {
     /// How many segments there are.
     pub len: usize,
+    /// k and √k.
     pub squash: f32,
     pub root_squash: f32,
     /// A power of two: lengths in the frame are lengths in object space times it. It brings the largest
@@ -33,53 +52,90 @@ pub(crate) struct Frame {
     pub scale: f32,
     /// The height in object space of the frame's origin.
     pub middle: f32,
-    /// The lowest and the highest height, in the frame.
+    /// The heights of the lower and of the upper end.
     pub low: f32,
     pub high: f32,
-    /// The square of the bounding cylinder's radius, in the frame.
+    /// The squared radius of the bounding cylinder: the largest squared radius of the profile, widened.
     pub bounding_square: f32,
-    /// The radius of a ball around all of it.
+    /// The radius of a ball about the frame's origin that contains the solid, x scaled by √k.
     pub size: f32,
-    /// Half its height, and the radius of a cylinder around it, infinite around a sheet, in object space.
+    /// In object space: half the height, and the radius of a cylinder that contains the solid, infinite for a
+    /// sheet (k = 0).
     pub half_height: f32,
     pub radius: f32,
-    /// Bounds on the first derivative of the squared radius by height, and on half the second.
+    /// Upper bounds of |F′| and of |F″/2|, F the squared radius by height.
     pub max_slope: f32,
     pub curvature: f32,
-    /// Half the largest second derivative, or `LEAST_CONVEXITY` if that is more, and half the sum of all jumps upwards of the
-    /// first, at joins.
+    /// An upper bound of F″/2 between knots, at least [`LEAST_CONVEXITY`].
     pub convexity: f32,
+    /// Half the sum of all slope jumps.
     pub half_slope_jumps: f32,
-    /// The lower end's plane, and the upper one's.
+    /// The plane of the lower end and that of the upper end.
     pub base: EndPlane,
     pub top: EndPlane,
     /// Whether there are steps between segments, or rings at the ends.
     pub has_rings: bool,
-    /// Whether g may jump upwards between the ends, or on their planes from without: the fast path certifies no hits then.
+    /// Whether g may jump upwards along a ray, at a step or at a ring that is wider outside: then the fast
+    /// path certifies no hits.
     pub has_jumps: bool,
-    /// A power of two, no less than half of `len`: the first step of a search.
+    /// A power of two that is at least half of `len`: the first step of [`View::index_at`].
     pub stride: usize,
-    /// √k·scale: a ray's moment about the axis, in object space, times this is that in the frame.
+    /// √k·scale: the moment of a ray about the axis in object space, times this, is its moment in the frame.
     pub moment_scale: f32,
-    /// What rounding can do to g at a unit's distance, and how much more doubt there is at least: see `glance.rs`.
+    /// The tolerance in g, divided by the distance: [`LENGTH_TOLERANCE`]·(2 + max_slope).
     pub g_tolerance: f32,
+    /// What the tolerance adds to the distance: [`BASE_DISTANCE`] times the size, and so much that the
+    /// tolerance exceeds the sum of all upward jumps of g.
     pub base_distance: f32,
 }
 
-/// The plane of an end, in the frame.
+/// Bounds of a whole profile.
+pub(crate) struct Bounds {
+    /// Upper bounds of |F′|, |F″/2| and F″/2 between knots. NaN if a segment has no height in the frame.
+    pub max_slope: f32,
+    pub curvature: f32,
+    pub convexity: f32,
+    /// The sum of all slope jumps.
+    pub slope_jumps: f32,
+    /// The sum of all steps of the squared radius from one segment to the next, upwards or downwards.
+    pub steps: f32,
+}
+
+impl Bounds {
+    /// The bounds of the first `len` segments.
+    pub const fn of(segments: &[Segment], len: usize) -> Self {
+        let mut all = Self { max_slope: 0.0, curvature: 0.0, convexity: 0.0, slope_jumps: 0.0, steps: 0.0 };
+        let mut i = 0;
+        while i < len {
+            let segment = &segments[i];
+            all.max_slope = greater_or_nan(all.max_slope, segment.max_slope());
+            all.curvature = greater_or_nan(all.curvature, segment.curvature());
+            all.convexity = greater_or_nan(all.convexity, segment.convexity);
+            all.slope_jumps += segment.slope_jump;
+            if i + 1 < len {
+                all.steps += (segments[i + 1].b[0] - segment.b[3]).abs();
+            }
+            i += 1;
+        }
+        all
+    }
+}
+
+/// The plane of an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct EndPlane {
-    /// What part of the surface the ring is between the two radii: nothing if the end is open, and the wall itself where that
-    /// closes to a point.
+    /// What lies on the plane between the radii of `wall` and `beyond`: a cap or a ring; `Part::Wall` if the
+    /// wall closes to a point; `None` if the end is open.
     pub part: Option<Part>,
-    /// The squared radii of the wall, and of what goes on beyond it: the same if the end is open, zero if it is capped.
+    /// The squared radius of the wall at the end, and the squared radius at which it goes on beyond the
+    /// plane: the same if the end is open, zero if it is capped.
     pub wall: f32,
     pub beyond: f32,
 }
 
 impl EndPlane {
-    /// Of the part given, if it is not open, nor a point.
+    /// The plane of an end with these squared radii. `part` is what lies between them, if they differ.
     pub const fn new(wall: f32, beyond: f32, part: Part) -> Self {
         let part = if wall != beyond {
             Some(part)
@@ -91,37 +147,37 @@ impl EndPlane {
         Self { part, wall, beyond }
     }
 
-    /// The square of the cap's radius: zero if there is none.
+    /// The squared radius of the cap, or zero if there is none.
     pub const fn cap(&self) -> f32 {
         if self.beyond == 0.0 { self.wall } else { 0.0 }
     }
 
-    /// Whether a part of the end is closed, and a part is open.
+    /// Whether a ring leaves the end partly open.
     pub const fn is_ring(&self) -> bool {
         self.wall != self.beyond && self.beyond != 0.0
     }
 
-    /// By how much it is wider beyond.
+    /// By how much the squared radius is larger beyond the plane; zero if it is not.
     pub const fn flange(&self) -> f32 {
         (self.beyond - self.wall).max(0.0)
     }
 }
 
 impl Frame {
-    /// A point of object space, before x is scaled by √k.
+    /// A point of object space in the frame, x not yet scaled by √k.
     #[inline(always)]
     pub fn point(&self, p: F32x3) -> F32x3 {
         (p - vector([0.0, 0.0, self.middle])) * self.scale
     }
 
-    /// x scaled by √k: there every lathe is round.
+    /// A vector with x scaled by √k: after that every lathe is round.
     #[inline(always)]
     pub fn squashed(&self, v: F32x3) -> F32x3 {
         vector([v.x * self.root_squash, v.y, v.z])
     }
 }
 
-/// A lathe whatever its size.
+/// A borrowed lathe of any number of segments.
 #[derive(Clone, Copy)]
 pub(crate) struct View<'a> {
     pub frame: &'a Frame,
@@ -129,7 +185,8 @@ pub(crate) struct View<'a> {
 }
 
 impl View<'_> {
-    /// The number of the segment at a height, by steps each half of the one before. Spare room lies above any height.
+    /// The number of the last segment whose lower end is at the height or below, or 0 if there is none, by
+    /// binary search: each step is half the one before. Spare segments begin at +∞ and are never returned.
     #[inline]
     pub fn index_at(&self, z: f32) -> usize {
         let (mut index, mut stride) = (0, self.frame.stride);
@@ -143,8 +200,8 @@ impl View<'_> {
             }
         }
     }
-    /// The number of the segment at a height, by steps from one that is near. Beyond the ends of the solid, a number that
-    /// no segment has.
+    /// The number of the segment at a height, by single steps from segment `index`. Below or above the solid,
+    /// a number that no segment in use has.
     #[inline(always)]
     pub fn index_from(&self, mut index: usize, z: f32) -> usize {
         while self.segments.get(index).is_some_and(|segment| z < segment.low) {

@@ -1,12 +1,19 @@
-//! One ray at a lathe: the *fast path* answers most, the *traversal* all, *chord* by chord.
+//! One ray and a lathe: the *fast path* decides most rays, the *traversal* all others, *chord* by chord.
 //!
-//! The same ray is parametrised three ways:
+//! ```text
+//! query ─┬─ fast_path     bounds of the whole profile at one or two places: miss, hit or undecided
+//!        └─ traverse      all else: the slabs along the ray, one after another
+//!             └─ chord    the part of the ray in one slab, and its roots
+//! ```
 //!
-//! | where | from | in units of | used for |
+//! The same ray has three parametrisations, all in units of `Ray::direction`, whose length is between 1 and
+//! 43, or of the direction as it was given:
+//!
+//! | name | counts from | in units of | used for |
 //! |---|---|---|---|
-//! | [`Ray`](crate::Ray) | its origin | the direction given | `t_min`, a hit's t |
-//! | [`LocalRay`], of the lathe's frame | its point nearest to the frame's origin | `Ray::direction`, of length 1 to 43 | planes, the traversal's `t` |
-//! | a chord, and the fast path | where g is formed | the same | `s`, the argument of g |
+//! | t of a [`Ray`](crate::Ray) | the ray's origin | the direction given | `t_min`, the t of a hit |
+//! | t of a [`LocalRay`] | the ray's point nearest to the frame's origin | `Ray::direction`, in the frame | planes, the state of the traversal |
+//! | s | the point that g is formed about: a chord's `origin`, a place of the fast path | the same | the argument of g |
 
 mod chord;
 mod fast_path;
@@ -16,7 +23,7 @@ mod traverse;
 
 pub(super) use local_ray::LocalRay;
 
-/// Whether a hit at t counts: beyond `t_min`, and at a finite distance.
+/// Whether a hit at t counts: t > `t_min`, and t is finite. False if t is NaN.
 fn is_beyond(t: f32, t_min: f32) -> bool {
     t > t_min && t <= f32::MAX
 }

@@ -109,8 +109,7 @@ impl Segment {
     }
 
     /// An upper bound of the magnitude of the first derivative by height. That derivative is 3/h times a
-    /// weighted mean of the differences of neighbouring ordinates. NaN or infinite for a segment of no
-    /// height.
+    /// weighted mean of the differences of adjacent ordinates. NaN or infinite for a segment of no height.
     pub(super) const fn max_slope(&self) -> f32 {
         let [b0, b1, b2, b3] = self.b;
         3.0 * (b1 - b0).abs().max((b2 - b1).abs()).max((b3 - b2).abs()) * self.per_height
@@ -124,7 +123,8 @@ impl Segment {
         Self { slope_jump: if jump <= 0.0 { 0.0 } else { jump }, ..self }
     }
 
-    /// The squared radius at the upper end, or at the lower: the same bits as the neighbour has there.
+    /// The squared radius at the upper end, or at the lower: the same bits as the neighbour has there, unless
+    /// there is a step between them.
     #[inline(always)]
     pub(super) fn end(&self, upper: bool) -> f32 {
         let [lower, .., last] = self.b;

@@ -13,16 +13,21 @@
 //! 2. Place: the point nearest to the axis, or, if that is above or below the solid, the point on the plane
 //!    of the end.
 //! 3. Bound: the ray misses if the parabola stays below zero.
-//! 4. Solve: the parabola of the place's own segment says where a root may be. If that is in another segment,
-//!    steps 3 and 4 are repeated there, once; if there is no such root, where that parabola is greatest. In
-//!    the segment of the place, Newton's method finds the root of the segment's cubic.
+//! 4. Solve: the cubic of the place's own segment, without its last term, has a root where the ray may enter
+//!    the solid. If that root is in the segment, Newton's method finds the cubic's root from there. If not,
+//!    steps 3 and 4 are repeated once, for the place at that root, or, if there is none, where the cubic
+//!    without its last term is largest.
 //! 5. Certify: if the slope A at the root exceeds J, `g ≤ −(A − J)·x + K·x²` at the distance x before it, so
 //!    the root is the nearest.
 //!
-//! Each decision keeps a tolerance, which is more than rounding can change g by: for a miss g must stay below
-//! zero by more than that; behind a root g must rise above it, as it does where `(A − J)² >
-//! 4·tolerance·|g″/2|`; and the ends of the segment and the ray's start must be farther away. All else is
-//! undecided and left to the traversal. Comparisons are written so that NaN decides nothing.
+//! Each decision keeps a tolerance, which is more than rounding can change g by:
+//!
+//! - For a miss, g must stay below zero by more than the tolerance.
+//! - For a hit, g must rise above the tolerance behind the root, as it does where `(A − J)² >
+//!   4·tolerance·|g″/2|`; and the ends of the segment and the start of the ray must be farther from the root
+//!   than the tolerance.
+//!
+//! All else is undecided and left to the *traversal*. Comparisons are written so that NaN decides nothing.
 //!
 //! Where a profile has steps, g may jump upwards, too. For misses the sum of all jumps is part of the
 //! tolerance. Hits of such a lathe are left to the traversal.
@@ -66,7 +71,7 @@ struct Slopes<'a> {
     dz: f32,
     /// dx² + dy², x scaled by √k.
     q: f32,
-    /// convexity·dz²: K is this less q, and below zero.
+    /// convexity·dz²: K is this minus q, and negative.
     convexity: f32,
 }
 
@@ -93,7 +98,7 @@ struct Expansion<'a> {
 }
 
 impl Slopes<'_> {
-    /// J/2.
+    /// J/2: half of what slope jumps can add to the slope of g along the ray.
     #[inline(always)]
     fn half_jump(&self) -> f32 {
         (self.frame.half_slope_jumps * self.dz).abs()
@@ -173,8 +178,8 @@ enum Guess {
 }
 
 impl Expansion<'_> {
-    /// The lower root of the parabola, which opens downwards, or, if it has no root, the s where it is
-    /// greatest: that is elsewhere, wherever it is.
+    /// Returns `Here` with the lower root of the parabola, which opens downwards, if the root lies in the
+    /// segment; else `Elsewhere` with it, or, if there is no root, with the s where the parabola is largest.
     #[inline(always)]
     fn guess(&self) -> Guess {
         let [c0, c1, c2] = self.parabola;
@@ -188,8 +193,8 @@ impl Expansion<'_> {
         Guess::Elsewhere(if discriminant >= 0.0 { s } else { -c1 / c2 })
     }
 
-    /// The root of g near s and the slope of g there, or rather before the last of Newton's steps. `most`
-    /// bounds |g″/2|. `None` if the steps do not become small enough.
+    /// Returns the root of g that Newton's method finds from s, and the slope of g before the last step;
+    /// `None` if four steps do not become small enough. `most` is an upper bound of |g″/2|.
     #[inline(always)]
     fn root_near(&self, mut s: f32, most: f32) -> Option<(f32, f32)> {
         let [c0, c1, c2] = self.parabola;
@@ -212,8 +217,8 @@ impl Expansion<'_> {
 }
 
 impl View<'_> {
-    /// Decides whether a ray has a crossing beyond `t_min`, and which is the nearest, as far as one or two
-    /// places tell.
+    /// Decides whether a ray has a crossing with t > `t_min`, and which is the nearest, by one or two places
+    /// of the ray. Returns `Undecided` if they do not suffice.
     #[inline]
     pub(super) fn fast_path(&self, ray: &Ray, t_min: f32) -> Decision {
         let View { frame, segments } = *self;
@@ -241,8 +246,7 @@ impl View<'_> {
             // The flatter the ray, the farther rounding of heights moves its point on a plane, and x² + y²
             // with it.
             tolerance *= 1.0 + (place.half_slope / d.z).abs();
-            // Farther from the axis the solid lies on one side of the plane only, and the ray there is
-            // farther still.
+            // The solid lies behind the plane only, where the ray is farther from the axis still.
             if place.square > frame.bounding_square + tolerance {
                 return Decision::Miss;
             }
@@ -283,7 +287,18 @@ impl View<'_> {
         let way = s - place.back;
         let unit = frame.scale * ray.unit;
         let t = way / unit;
-        // Beyond t_min the root is ahead, and so the slope must be above zero.
+        // This margin, m = (A − J)/2, is that before the last step b, which changed half the slope by up to
+        // most·|b|. By root_near, (most·b)² ≤ most·ROOT_ERROR·A; by the first test, m² > 2·most·tolerance. So
+        //
+        //     (most·b/m)² < ROOT_ERROR·A/(2·tolerance) < 0.075 = 0.274²
+        //
+        // since the tolerance is at least 80·ROOT_ERROR·(2 + S), and A ≤ |d|·(S + 4) ≤ 12·(2 + S) for |d| ≤
+        // 4. After the step (1 − 0.274)²·m² > 1.05·most·tolerance is left: g rises above the tolerance behind
+        //    the root. The tolerance grows with |d| as A does, times the distance of the origin in the frame:
+        //    from 0.4 on this holds for any direction. Nearer, with a direction longer than 6.8, up to 43, at
+        //    least an eighth of the tolerance is left.
+        //
+        // Beyond t_min the root is ahead, and so the margin must be positive.
         let is_certain = margin * margin > 2.0 * most * tolerance
             && lesser(u, 1.0 - u) > tolerance * expansion.segment.per_height
             && (way - t_min * unit) * margin > tolerance

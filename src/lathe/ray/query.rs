@@ -1,4 +1,4 @@
-//! What one may ask of a ray and a lathe: the nearest crossing, any, all.
+//! The queries for one ray: its nearest crossing with a lathe, whether there is any, all of them.
 
 use super::fast_path::Decision;
 use super::local_ray::LocalRay;
@@ -12,10 +12,11 @@ use core::ops::ControlFlow;
 use heapless::Vec;
 
 impl<const N: usize> Lathe<[Segment; N]> {
-    /// All crossings beyond `t_min`, in order.
+    /// Returns all crossings with t > `t_min`, in order.
     ///
-    /// A segment is met at most three times, and each plane between two segments or at an end once: the capacity C must be at
-    /// least 3·N + (N + 1) = 4·N + 1, which is checked at compile time, and cannot overflow.
+    /// A ray crosses a segment at most three times, and each plane between two segments or at an end once. So
+    /// the capacity C must be at least 3·N + (N + 1) = 4·N + 1, which is checked at compile time; then the
+    /// vector cannot overflow.
     #[must_use]
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         match self.view_with_spare().fast_path(ray, t_min) {
@@ -25,24 +26,25 @@ impl<const N: usize> Lathe<[Segment; N]> {
         }
     }
 
-    /// [`Lathe::hits`] with the solver S.
+    /// [`Lathe::hits`] with the solver S, by the traversal alone.
     #[must_use]
     pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         self.hits_on::<S, C>(ray, t_min, None)
     }
 
-    /// All crossings that a traversal finds. What the fast path has found comes first, as it is: that crossing is entered a
-    /// rounding earlier or later by the traversal, or, if `t_min` lies between the two, not reported. No t is below the one
-    /// before it: rounding may put a wall before a cap at its rim.
+    /// All crossings beyond `t_min` by the traversal, after `nearest`, if the fast path has found that. The
+    /// traversal finds this crossing again, a rounding earlier or later, and it is left out; if `t_min` lies
+    /// between the two, the traversal does not report it. Each t is at least the one before it: where
+    /// rounding puts a wall before the cap at its rim, the wall's t is raised.
     fn hits_on<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32, nearest: Option<Hit>) -> Vec<Hit, C> {
         const {
             assert!(C > 4 * N, "a ray can meet a lathe of N segments 4·N + 1 times");
         }
         let mut hits = Vec::<Hit, C>::from_iter(nearest);
-        let path = LocalRay::new(&self.frame, ray);
-        let _: Option<()> = traverse::<S, _>(self.view(), &path, t_min, |hit| {
+        let local = LocalRay::new(&self.frame, ray);
+        let _: Option<()> = traverse::<S, _>(self.view(), &local, t_min, |hit| {
             match hits.last() {
-                // The same crossing again.
+                // The crossing that the fast path has found.
                 Some(_) if nearest.is_some() && hits.len() == 1 && hit.enters => {}
                 last => {
                     let t = last.map_or(hit.t, |last| greater(last.t, hit.t));
@@ -56,14 +58,14 @@ impl<const N: usize> Lathe<[Segment; N]> {
 }
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
-    /// The nearest crossing beyond `t_min`, if any: t > t_min.
+    /// Returns the nearest crossing with t > `t_min`, or `None` if there is none.
     ///
-    /// Most rays that come from outside need a look at one segment, or two, whatever the number of segments; it is
-    /// found by steps of half of what remains. The others are followed through the segments near them.
+    /// For most rays that come from outside, the fast path evaluates one segment or two, found by binary
+    /// search, whatever the number of segments. For the others the segments near the ray are traversed.
     ///
     /// A ray from inside, or through an open end, meets the wall from within: the hit leaves. A ray that lies
     /// in the plane of a cap meets its rim.
-    // Apart: it takes all the registers there are, and what calls it needs its own.
+    // Not inlined: it needs all registers, and so do its callers.
     #[inline(never)]
     #[must_use]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
@@ -74,27 +76,27 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         }
     }
 
-    /// The nearest crossing of a ray that a glance does not tell. Apart, since it is rare.
+    /// The nearest crossing of a ray that the fast path leaves undecided. Not inlined, since it is rare.
     #[cold]
     #[inline(never)]
     fn traversed(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         self.nearest_by::<Newton>(ray, t_min)
     }
 
-    /// [`Lathe::nearest`] with the solver S, by a walk along the ray.
-    // In line: of two frames one within the other this makes one, where the stack is deepest.
+    /// [`Lathe::nearest`] with the solver S, by the traversal alone.
+    // Inlined: it makes one stack frame of two where the stack is deepest.
     #[inline(always)]
     #[must_use]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        let path = LocalRay::new(&self.frame, ray);
-        traverse::<S, _>(self.view(), &path, t_min, ControlFlow::Break)
+        let local = LocalRay::new(&self.frame, ray);
+        traverse::<S, _>(self.view(), &local, t_min, ControlFlow::Break)
     }
 
-    /// Whether there is any crossing beyond `t_min`: what a shadow asks. True where [`Lathe::nearest`] has a hit and where
-    /// [`Lathe::hits`] has any, and nowhere else.
+    /// Whether there is any crossing with t > `t_min`, as shadows need it: true exactly where
+    /// [`Lathe::nearest`] returns a hit, and [`Lathe::hits`] at least one.
     ///
-    /// A ray that starts on the surface, as rounding has it, may or may not meet it there. [`Lathe::spawn`] makes one that
-    /// does not:
+    /// A ray that starts on the surface may or may not cross it there, by rounding. [`Lathe::spawn`] returns
+    /// a ray that does not:
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, Ray, valid};

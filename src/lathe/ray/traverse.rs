@@ -103,7 +103,7 @@ struct Traversal<'a> {
     up: bool,
     /// The number of the segment that the ray comes to.
     index: usize,
-    /// The t at which it does, and the squared distance from the axis there.
+    /// The t at which the ray comes to it, and the squared distance from the axis there.
     at: f32,
     square: f32,
     /// The squared radius at the end of the segment before. `None` if the ray begins between planes.
@@ -185,10 +185,11 @@ impl<'a> Traversal<'a> {
 /// `up` says whether the ray rises, `enters` whether it enters the solid.
 #[inline(never)]
 fn plane_hit(frame: &Frame, t: f32, index: usize, is_step: bool, up: bool, enters: bool) -> Hit {
-    // Of the segment above the plane.
+    // The number of the segment above the plane.
     let upper = if up { index } else { index.wrapping_add(1) };
     let (is_base, is_top) = (upper == 0, upper == frame.len);
-    // What rays leave upwards faces up, and belongs to the segment below.
+    // A ring that rising rays leave through, and falling rays enter through, faces up, and belongs to the
+    // segment below.
     let is_of_lower = is_top || up != enters && !is_base;
     Hit {
         t,

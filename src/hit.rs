@@ -2,8 +2,8 @@
 
 /// A crossing of a ray and the surface of a solid.
 ///
-/// Its point and its normal are computed by [`Lathe::surface`](crate::Lathe::surface), when they are needed:
-/// most crossings are not visible.
+/// It holds neither the point nor the normal: most crossings are not visible.
+/// [`Lathe::surface`](crate::Lathe::surface) computes both where they are needed.
 ///
 /// ```
 /// use embedded_lathe::{Lathe, Part, Profile, Ray, valid};
@@ -20,11 +20,13 @@
 pub struct Hit {
     /// The ray's parameter at the crossing: the distance, in lengths of the ray's direction.
     pub t: f32,
-    /// The profile's segment, from 0 at the base.
+    /// The index of the profile's segment, 0 for the lowest. Of a cap or a ring it is the segment whose end
+    /// it is at.
     pub segment: usize,
-    /// The profile's parameter in the segment, from 0 at its lower knot to 1 at its upper.
+    /// The profile's parameter in the segment, from 0 at its lower knot to 1 at its upper knot. Of a cap or a
+    /// ring it is exactly 0 or 1.
     pub u: f32,
-    /// Whether the ray enters the solid here. If not it leaves it.
+    /// Whether the ray enters the solid here. If `false`, it leaves the solid.
     pub enters: bool,
     /// The part of the surface that is crossed.
     pub part: Part,

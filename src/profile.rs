@@ -1,4 +1,4 @@
-//! The outline that is turned: squared radius over height, checked when it is made.
+//! The outline that is turned: the squared radius as a function of height, checked when it is made.
 
 mod error;
 mod extremes;
@@ -12,13 +12,16 @@ use crate::math::const_fn;
 use extremes::Extremes;
 use steps::{Counts, is_step};
 
-/// One cubic piece of a profile: between the heights z and z + h, at `z + h·u`, the squared radius is
-/// `Σ bⱼ·Bⱼ³(u)`.
+/// One cubic piece of a profile: at the height `z + (top − z)·u`, for u from 0 to 1, the squared radius is `Σ
+/// bⱼ·Bⱼ³(u)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Span {
+    /// The height of the lower knot.
     pub z: f32,
+    /// The height of the upper knot.
     pub top: f32,
+    /// The Bernstein ordinates of the squared radius.
     pub b: [f32; 4],
     /// The largest squared radius in the piece.
     pub largest: f32,
@@ -26,7 +29,8 @@ pub(crate) struct Span {
     pub narrowest: f32,
 }
 
-/// The kind of an end of a profile. A ring, which closes part of an end, is written as a step there: see [`Profile`].
+/// The kind of an end of a profile. To close only part of an end, with a ring, put a step there: see
+/// [`Profile`].
 ///
 /// ```
 /// use embedded_lathe::{End, Profile};
@@ -61,8 +65,9 @@ pub enum End {
 ///
 /// # Steps
 ///
-/// A knot that stands twice is a step: there the outline goes level from one squared radius to another, and turned that is a
-/// flat ring. The ordinate there stands twice as well, the squared radius just below the step first, then the one just above:
+/// A knot given twice is a step: at its height the outline jumps from one squared radius to another, which
+/// makes a flat ring of the solid. The step has two ordinates, first the squared radius just below it, then
+/// the one just above:
 ///
 /// ```text
 ///  z │    b₇                  knots      z₀ < z₁ = z₂ < z₃     the step's stands twice
@@ -77,9 +82,10 @@ pub enum End {
 ///    └──────────────── r²
 /// ```
 ///
-/// Steps do not count in N, and take no memory. A first knot that stands twice is a ring that closes part of the lower end: the
-/// first ordinate is the squared radius of what stays open, or, if it is larger than the second, of a flange. So a cap is a step
-/// to zero, and [`End::Capped`] is short for it.
+/// Steps do not count in N, and take no memory. If the first knot is given twice, a ring closes part of the
+/// lower end: the first ordinate is the squared radius of the opening, or, if it is larger than the second,
+/// that of a flange. The same holds for the last knot and the upper end. A cap is a step to zero;
+/// [`End::Capped`] makes it without the second knot and ordinate.
 ///
 /// ```
 /// use embedded_lathe::{End, Profile};
@@ -100,15 +106,15 @@ pub enum End {
 ///
 /// Cylinders, cones, spheres, paraboloids and hyperboloids are represented exactly.
 ///
-/// To read a segment off a drawing, take its height h, the radii r₀ at its lower and r₁ at its upper end, and
-/// the slopes r₀′ and r₁′ of the radius over the height there. Its ordinates are
+/// To read a segment off a drawing, measure its height h, its radii r₀ at the lower end and r₁ at the upper
+/// end, and r₀′ and r₁′, the derivatives of the radius by height at these ends. Its ordinates are
 ///
 /// ```text
 /// b₀ = r₀²     b₁ = r₀² + ⅔·h·r₀·r₀′     b₂ = r₁² − ⅔·h·r₁·r₁′     b₃ = r₁²
 /// ```
 ///
-/// A straight line, r₀′ = r₁′ = (r₁ − r₀)/h, makes a cone. A circle whose middle is on the axis at height c,
-/// where r·r′ = c − z, makes a sphere. Two segments join smoothly if r and r′ are the same on both sides,
+/// A straight line, r₀′ = r₁′ = (r₁ − r₀)/h, makes a cone. A circle whose centre is on the axis at the height
+/// c makes a sphere; on it r·r′ = c − z. Two segments join smoothly if r and r′ are the same on both sides,
 /// that is, if (b₃ − b₂)/h of the lower one is (b₄ − b₃)/h of the upper one; otherwise there is an edge.
 ///
 /// ```
@@ -125,32 +131,35 @@ pub enum End {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Profile<const N: usize> {
     pub(crate) spans: [Span; N],
+    /// How many of the array's pieces are the profile's, from the lowest up.
     pub(crate) len: usize,
+    /// The factor k on x².
     pub(crate) squash: f32,
-    /// The squared radii just below the lower end and just above the upper one: that at the end itself if it is open, zero if
-    /// it is capped.
+    /// The squared radii just below the lower end and just above the upper end. Each is that of the wall if
+    /// the end is open, and zero if it is capped.
     pub(crate) below: f32,
     pub(crate) above: f32,
 }
 
-/// A profile may be this many times as high as its largest radius, and each segment must be at least as high
-/// as the radius divided by it: the cube, 10³⁰, and its inverse are normal numbers.
-const MOST: f32 = 1e10;
+/// The largest ratio of a profile's height to its largest radius, and of its largest radius to a segment's
+/// height. The cube of the ratio, 10³⁰, and the inverse of the cube are normal numbers.
+const MOST_RATIO: f32 = 1e10;
 
 impl<const N: usize> Profile<N> {
-    /// A round profile of n segments and s steps; n is from 1 to N. An end is open, unless a step stands there.
+    /// A round profile of n segments and s steps; n is from 1 to N. An end is open, unless there is a step at
+    /// it.
     ///
-    /// The knots are n + s + 1 increasing heights, that of a step given twice. The ordinates are 3·n + s + 1 squared
-    /// radii, the Bézier control values of the segments one after another, where neighbours share the one at their
-    /// join, unless a step parts them. A radius of 0.3 is an ordinate of 0.09.
+    /// The knots are n + s + 1 increasing heights, that of a step given twice. The ordinates are 3·n + s + 1
+    /// squared radii, the Bézier control values of the segments one after another, where neighbours share the
+    /// one at their join, unless a step parts them. The ordinate of a radius of 0.3 is 0.09.
     ///
-    /// It costs about 100 operations a segment; in a `const` the compiler does them.
+    /// It costs about 100 operations a segment; in a `const` it is the compiler that computes them.
     ///
     /// # Errors
     ///
     /// [`ProfileError`], which names the knot, the ordinate or the segment at fault. A squared radius may
-    /// touch zero, and pass below it by the rounding of its own evaluation: 8 units of 2⁻²⁴ of the segment's
-    /// largest ordinate.
+    /// touch zero. Between the ends of a segment it may be negative by as much as rounding errors can make a
+    /// zero: 8·2⁻²⁴ of the segment's largest ordinate.
     pub const fn from_squared_radii(knots: &[f32], ordinates: &[f32]) -> Result<Self, ProfileError> {
         let counts = match Counts::of(knots) {
             Ok(counts) => counts,
@@ -203,11 +212,13 @@ impl<const N: usize> Profile<N> {
         Self::of(spans, len, below, above)
     }
 
-    /// A profile of segments one on the other, the first `len` of N, and the squared radii beyond its ends.
+    /// A profile whose segments are the first `len` of `spans`, each on top of the one before, with the
+    /// squared radii beyond its ends.
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] if it is too large, too small or too high, or a segment of it too low.
+    /// [`ProfileError`] if the profile is too large, too small or too high, or if one of its segments is too
+    /// low.
     const fn of(spans: [Span; N], len: usize, below: f32, above: f32) -> Result<Self, ProfileError> {
         let profile = Self { spans, len, squash: 1.0, below, above };
         let wall = Self { below: 0.0, above: 0.0, ..profile }.largest();
@@ -217,7 +228,7 @@ impl<const N: usize> Profile<N> {
         let radius = const_fn::sqrt(wall);
         let [base, top] = profile.heights();
         let height = top - base;
-        if !(height <= MOST * radius) {
+        if !(height <= MOST_RATIO * radius) {
             return Err(ProfileError::Height { height, radius });
         }
         // A flange at an end may be wider than all of the wall.
@@ -232,7 +243,7 @@ impl<const N: usize> Profile<N> {
             // One knot more, or two where a step stands at the lower one.
             knot += if before == b0 { 1 } else { 2 };
             before = b3;
-            if !((top - z) * MOST >= radius) {
+            if !((top - z) * MOST_RATIO >= radius) {
                 return Err(ProfileError::KnotsNotIncreasing { knot, before: z, height: top });
             }
             i += 1;
@@ -253,9 +264,10 @@ impl<const N: usize> Profile<N> {
         Ok(Self { squash: k, ..self })
     }
 
-    /// This profile with another lower end; a ring that stood there is gone.
+    /// This profile with another lower end, which also replaces a ring there.
     ///
-    /// As all such methods it changes nothing, but returns a new value, which must be used:
+    /// Like all methods of this kind it does not change the profile, but returns a new one, which must be
+    /// used:
     ///
     /// ```compile_fail
     /// #![deny(unused_must_use)]
@@ -292,7 +304,7 @@ impl<const N: usize> Profile<N> {
     #[must_use]
     pub const fn heights(&self) -> [f32; 2] {
         let (mut heights, mut i) = ([0.0; 2], 0);
-        // `i < N` holds whenever `i < len` does; the compiler knows the former to be in bounds.
+        // `i < len` implies `i < N`; from the latter the compiler knows that the index is in bounds.
         while i < self.len && i < N {
             heights = [if i == 0 { self.spans[i].z } else { heights[0] }, self.spans[i].top];
             i += 1;
@@ -311,8 +323,8 @@ impl<const N: usize> Profile<N> {
         ends
     }
 
-    /// The largest radius, between the knots or at one: the true one or up to 6·10⁻⁷ of it more. Along x a
-    /// squashed profile reaches farther, to that over √k.
+    /// The largest radius, at a knot or between knots, up to a relative 6·10⁻⁷ too large. Along x a squashed
+    /// profile extends farther, to this radius divided by √k.
     #[must_use]
     pub const fn largest_radius(&self) -> f32 {
         const_fn::sqrt(self.largest())
@@ -330,7 +342,7 @@ impl<const N: usize> Profile<N> {
 }
 
 impl End {
-    /// The squared radius beyond an end, given that of the wall.
+    /// The squared radius beyond an end, given the wall's at that end.
     const fn beyond(self, wall: f32) -> f32 {
         match self {
             Self::Open => wall,
@@ -340,13 +352,14 @@ impl End {
 }
 
 impl Span {
+    /// What stands in the array behind the last piece.
     pub const EMPTY: Self = Self { z: 0.0, top: 0.0, b: [0.0; 4], largest: 0.0, narrowest: 0.0 };
 
     /// Segment number i, from the height z to `top`.
     ///
     /// # Errors
     ///
-    /// [`ProfileError::Negative`] if the squared radius is that somewhere, or NaN.
+    /// [`ProfileError::Negative`] if the squared radius is negative or NaN somewhere.
     const fn new(i: usize, z: f32, top: f32, b: [f32; 4]) -> Result<Self, ProfileError> {
         let extremes = Extremes::of(b);
         if !(extremes.least >= 0.0) {

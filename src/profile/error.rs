@@ -1,7 +1,7 @@
 use crate::message::Piece::{Count, Number, Text};
 use crate::message::{Message, says};
 
-/// What keeps numbers from being a profile, and which of them it is.
+/// Why numbers do not make a profile, and which numbers they are.
 ///
 /// ```
 /// use embedded_lathe::{Profile, ProfileError};
@@ -15,7 +15,7 @@ use crate::message::{Message, says};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ProfileError {
-    /// Fewer than two heights: not one segment.
+    /// The knots have fewer than two different heights, so that there is no segment.
     NoSegments {
         /// How many knots there are.
         knots: usize,
@@ -24,12 +24,12 @@ pub enum ProfileError {
     TooManySegments {
         /// How many there are.
         segments: usize,
-        /// For how many the profile has room, its N.
+        /// For how many segments the profile has room: its N.
         capacity: usize,
     },
-    /// Not three ordinates a segment, one a step, and one more.
+    /// The number of ordinates is not three for each segment, one for each step, and one more.
     OrdinateCount {
-        /// How many the knots call for.
+        /// How many ordinates these knots need.
         expected: usize,
         /// How many there are.
         found: usize,
@@ -41,7 +41,7 @@ pub enum ProfileError {
         /// Its height.
         height: f32,
     },
-    /// A knot is not above the one before it, or by less than 10⁻¹⁰ of the largest radius.
+    /// A knot is not above the one before it, or is above it by less than 10⁻¹⁰ of the largest radius.
     KnotsNotIncreasing {
         /// The upper of the two, from 1.
         knot: usize,
@@ -73,8 +73,8 @@ pub enum ProfileError {
         /// The ordinate itself.
         square: f32,
     },
-    /// The squared radius is negative somewhere in a segment, be it between its ends alone, or on the other side of a step
-    /// where the profile ends.
+    /// The squared radius is negative somewhere in a segment, at an end or between the ends, or beyond the
+    /// step at an end of the profile.
     Negative {
         /// Which segment, from 0: the first, or the last, of a step where the profile ends.
         segment: usize,
@@ -90,7 +90,7 @@ pub enum ProfileError {
     },
     /// The profile is more than 10¹⁰ times as high as its largest radius.
     Height {
-        /// How high it is.
+        /// The profile's height.
         height: f32,
         /// Its largest radius.
         radius: f32,
@@ -118,6 +118,7 @@ pub enum ProfileError {
 }
 
 impl ProfileError {
+    /// The words of the error.
     const fn message(self) -> Message {
         match self {
             Self::NoSegments { knots } => Message::of([

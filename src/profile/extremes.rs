@@ -2,17 +2,18 @@ use crate::math::const_fn;
 
 /// The least and the largest value of a cubic over [0, 1].
 pub(super) struct Extremes {
-    /// The least value; zero, if it is below zero by no more than rounding.
+    /// The least value. It is zero if both ends are not negative and the least value is negative by no more
+    /// than rounding errors.
     pub least: f32,
     /// The u of the least value.
     pub narrowest: f32,
-    /// The largest value, or a little more.
+    /// The largest value, or more by no more than rounding errors; at most the largest ordinate.
     pub largest: f32,
 }
 
-/// A bound on the error of a value by de Casteljau's interpolations, relative to the largest ordinate: each
-/// of the three levels adds two and a half roundings at most (of a term, of the sum, and half of one in 1 −
-/// u), 7.5 in all, rounded up.
+/// An upper bound of the rounding error of a value computed by de Casteljau's algorithm, relative to the
+/// largest ordinate. Each of its three levels adds at most two and a half roundings: one of a term, one of
+/// the sum, and half of one in 1 − u. That is 7.5 in all, here rounded up to 8.
 const ROUNDING: f32 = 8.0 / 16_777_216.0;
 
 impl Extremes {
@@ -21,13 +22,13 @@ impl Extremes {
     pub const fn of(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
         let size = b0.abs().max(b1.abs()).max(b2.abs()).max(b3.abs());
-        // Of two ends with the same radius, take the one where its square changes more slowly: if both are
-        // zero, the sharper point.
+        // If both ends have the same squared radius, the end where it changes more slowly counts as the
+        // narrowest: if both are zero, that is the sharper of the two tips.
         let lower = b0 < b3 || b0 == b3 && (b1 - b0).abs() <= (b2 - b3).abs();
         let (mut least, mut narrowest) = if lower { (b0, 0.0) } else { (b3, 1.0) };
         let mut largest = b0.max(b3);
-        // Scaled, so that squares of differences neither over- nor underflow. The derivative is 3·(d0·(1−u)²
-        // + 2·d1·u(1−u) + d2·u²).
+        // The differences are divided by the largest ordinate, so that their squares neither overflow nor
+        // underflow. The derivative is then 3·(d0·(1−u)² + 2·d1·u(1−u) + d2·u²), times that ordinate.
         if size > 0.0 {
             let (d0, d1, d2) = ((b1 - b0) / size, (b2 - b1) / size, (b3 - b2) / size);
             let root = const_fn::sqrt(d1 * d1 - d0 * d2);
@@ -46,7 +47,7 @@ impl Extremes {
                 i += 1;
             }
         }
-        // At a critical point that rounding has misplaced by e the value is off by a multiple of e² only,
+        // A rounding error e in a critical point changes the value there only by a multiple of e², which is
         // well within the same bound.
         let slack = ROUNDING * size;
         if least < 0.0 && least >= -slack && b0 >= 0.0 && b3 >= 0.0 {
@@ -56,7 +57,7 @@ impl Extremes {
     }
 }
 
-/// The value at u by de Casteljau's interpolations.
+/// The value at u, computed by de Casteljau's algorithm.
 const fn bezier([b0, b1, b2, b3]: [f32; 4], u: f32) -> f32 {
     let v = 1.0 - u;
     let (c0, c1, c2) = (b0 * v + b1 * u, b1 * v + b2 * u, b2 * v + b3 * u);

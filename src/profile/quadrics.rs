@@ -4,8 +4,9 @@ use super::{Profile, ProfileError};
 ///
 /// # Errors
 ///
-/// All of them return [`ProfileError::Dimension`] if a height is not positive and finite, or a radius neither
-/// that nor, where its doc says so, zero; otherwise [`ProfileError`] as [`Profile::from_squared_radii`].
+/// All of them return [`ProfileError::Dimension`] if a height or a radius is not positive and finite; where a
+/// function's doc allows it, a radius may be zero. The other errors are those of
+/// [`Profile::from_squared_radii`].
 impl Profile<1> {
     /// A cylinder from z = 0 to z = height.
     pub const fn cylinder(radius: f32, height: f32) -> Result<Self, ProfileError> {
@@ -23,10 +24,11 @@ impl Profile<1> {
         Self::cone_between(radius, 0.0, height)
     }
 
-    /// A frustum of a cone, `base` its radius at z = 0, `top` that at z = height. One of the radii may be
+    /// A frustum of a cone. Its radius is `base` at z = 0 and `top` at z = height. One of the two may be
     /// zero: then it is a cone.
     pub const fn frustum(base: f32, top: f32, height: f32) -> Result<Self, ProfileError> {
-        // What may be zero beside a positive number may not be negative.
+        // A radius of zero is not checked, but then the other one must be positive. A negative radius is an
+        // error.
         let checked = if base == 0.0 {
             all_positive([("top", top), ("height", height)])
         } else if top == 0.0 {
@@ -48,7 +50,8 @@ impl Profile<1> {
         Self::spheroid(radius, radius)
     }
 
-    /// A spheroid about the origin: `radius` at its equator, from z = −half_height to z = half_height.
+    /// A spheroid about the origin, from z = −half_height to z = half_height. Its radius at the equator is
+    /// `radius`.
     pub const fn spheroid(radius: f32, half_height: f32) -> Result<Self, ProfileError> {
         if let Err(error) = all_positive([("radius", radius), ("half_height", half_height)]) {
             return Err(error);
@@ -57,7 +60,7 @@ impl Profile<1> {
         Self::quadratic(-half_height, half_height, [0.0, 2.0 * radius * radius, 0.0])
     }
 
-    /// A paraboloid with its apex at the origin, `radius` its radius at z = height.
+    /// A paraboloid with its apex at the origin and its rim at z = height. The radius of the rim is `radius`.
     pub const fn paraboloid(radius: f32, height: f32) -> Result<Self, ProfileError> {
         if let Err(error) = all_positive([("radius", radius), ("height", height)]) {
             return Err(error);
@@ -67,9 +70,9 @@ impl Profile<1> {
         Self::quadratic(0.0, height, [0.0, 0.5 * square, square])
     }
 
-    /// A hyperboloid of one sheet, like a cooling tower, `waist` its radius at z = 0, `rim` that at z =
-    /// ±half_height. A waist of zero makes a double cone, and one wider than the rim a barrel, which is a
-    /// zone of a spheroid.
+    /// A hyperboloid of one sheet, like a cooling tower. Its radius is `waist` at z = 0 and `rim` at z =
+    /// ±half_height. If `waist` is zero, the shape is a double cone; if it is larger than `rim`, a barrel,
+    /// which is a zone of a spheroid.
     pub const fn hyperboloid(waist: f32, rim: f32, half_height: f32) -> Result<Self, ProfileError> {
         let checked = if waist == 0.0 {
             all_positive([("rim", rim), ("half_height", half_height)])
@@ -84,12 +87,14 @@ impl Profile<1> {
         Self::quadratic(-half_height, half_height, [rim, 2.0 * waist - rim, rim])
     }
 
+    /// The frustum, or cylinder, or cone, without a check of its dimensions.
     const fn cone_between(base: f32, top: f32, height: f32) -> Result<Self, ProfileError> {
         // r = base·(1 − u) + top·u
         Self::quadratic(0.0, height, [base * base, base * top, top * top])
     }
 
-    /// A quadratic's three ordinates, raised to a cubic's four.
+    /// The profile from z to `top` whose squared radius is a quadratic with the given Bernstein ordinates.
+    /// They are converted to a cubic's four (degree elevation).
     const fn quadratic(z: f32, top: f32, [q0, q1, q2]: [f32; 3]) -> Result<Self, ProfileError> {
         let ordinates = [q0, (q0 + 2.0 * q1) / 3.0, (2.0 * q1 + q2) / 3.0, q2];
         match Self::from_squared_radii(&[z, top], &ordinates) {
@@ -99,7 +104,7 @@ impl Profile<1> {
     }
 }
 
-/// The first of the parameters that is not positive and finite, as an error.
+/// Returns an error that names the first of the parameters that is not positive and finite, if there is one.
 const fn all_positive<const N: usize>(parameters: [(&'static str, f32); N]) -> Result<(), ProfileError> {
     let mut i = 0;
     while i < N {

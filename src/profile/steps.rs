@@ -1,4 +1,5 @@
-//! Knots, counted: two at different heights make a segment, two at one height a step.
+//! Counts the segments and the steps of a list of knots. Two neighbouring knots at different heights make a
+//! segment, two at the same height a step.
 
 use super::ProfileError;
 
@@ -9,9 +10,12 @@ pub(super) struct Counts {
 }
 
 impl Counts {
+    /// Counts the segments and the steps of these knots.
+    ///
     /// # Errors
     ///
-    /// If a knot is not finite, if three of them stand at one height, or if there is no segment.
+    /// [`ProfileError`] if a knot is infinite or NaN, if three knots have the same height, or if there is no
+    /// segment.
     pub const fn of(knots: &[f32]) -> Result<Self, ProfileError> {
         let (mut steps, mut knot) = (0, 0);
         while knot < knots.len() {
@@ -39,7 +43,7 @@ impl Counts {
     }
 }
 
-/// Whether a knot stands at the height of the one before it.
+/// Whether a knot has the same height as the one before it.
 pub(super) const fn is_step(knots: &[f32], knot: usize) -> bool {
     knot > 0 && knots[knot] == knots[knot - 1]
 }

@@ -13,6 +13,13 @@ pub struct Question {
     pub hi: f32,
 }
 
+impl Question {
+    /// Of the cubic with these roots and this leading coefficient, computed in f64 and rounded to f32.
+    pub fn with_roots(roots: [f64; 3], lead: f64, lo: f64, hi: f64) -> Self {
+        question(from_roots(roots, lead), lo, hi)
+    }
+}
+
 pub struct Family {
     pub name: &'static str,
     make: fn(&mut ChaCha8Rng) -> Question,

@@ -1,37 +1,29 @@
 //! The cubic solvers over every backend, where cubics go wrong.
 //!
 //! An answer's *backward error* is the smallest relative change of the coefficients, in units of 2⁻²⁴, that
-//! makes it right: for a root u it is `|g(u)| / Σ |cⱼ·uʲ|`; for a claim that nothing comes before, the same
-//! at the deepest point where g has the other sign. Evaluated in f64, whose own rounding is 2⁻²⁹ of the unit.
+//! makes it right: for a root u it is `|g(u)| / Σ |cⱼ·uʲ|`; for a claim that nothing comes before, the largest
+//! of the same before u where g has the wrong sign. Evaluated in f64, whose own rounding is 2⁻²⁹ of the unit.
 
 use embedded_lathe::Cubic;
 use embedded_lathe::math::{Libm, Math, Micromath, Native, Std};
 use embedded_lathe::solve::{BACKWARD_ERROR, Solver};
+use laboratory::families::{FAMILIES, Question};
 use laboratory::over_every_backend;
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, RngExt, SeedableRng};
+use std::sync::LazyLock;
 
 const CUBICS: usize = 20_000;
 const UNIT: f64 = 1.0 / 16_777_216.0;
 
-/// A cubic in f32 and an interval.
+/// A question of the laboratory's, and the backward error of an answer to it.
 #[derive(Clone, Copy, Debug)]
-struct Problem {
-    c: [f32; 4],
-    lo: f32,
-    hi: f32,
-}
+struct Problem(Question);
 
 impl Problem {
-    /// `lead·(u − r₀)(u − r₁)(u − r₂)`, rounded.
-    fn with_roots([p, q, r]: [f64; 3], lead: f64, lo: f32, hi: f32) -> Self {
-        let c = [-p * q * r, p * q + q * r + r * p, -(p + q + r), 1.0];
-        Self { c: c.map(|c| (lead * c) as f32), lo, hi }
-    }
-
     /// g(u) and Σ |cⱼ·uʲ|.
     fn at(&self, u: f64) -> (f64, f64) {
-        let terms: [f64; 4] = std::array::from_fn(|j| f64::from(self.c[j]) * u.powi(j as i32));
+        let terms: [f64; 4] = std::array::from_fn(|j| f64::from(self.0.c[j]) * u.powi(j as i32));
         (terms.iter().sum(), terms.iter().map(|term| term.abs()).sum())
     }
 
@@ -40,32 +32,24 @@ impl Problem {
         if size > 0.0 { value.abs() / size / UNIT } else { 0.0 }
     }
 
-    /// The deepest that g goes to the other side of zero before `end`, which is in [lo, hi].
-    fn skipped(&self, end: f64) -> f64 {
-        let [_, c1, c2, c3] = self.c.map(f64::from);
-        let sum = -(c2 + c2.signum() * (c2 * c2 - 3.0 * c3 * c1).sqrt());
-        let start = self.at(self.lo.into()).0;
-        [sum / (3.0 * c3), c1 / sum, end]
-            .into_iter()
-            .filter(|&u| f64::from(self.lo) < u && u <= end && self.at(u).0 * start < 0.0)
-            .map(|u| if u == end { 0.0 } else { self.depth(u) })
-            .fold(0.0, f64::max)
-    }
-
-    /// The backward error of the answer that the first root is here, or nowhere.
+    /// The backward error of the answer that the first root is here, or nowhere: before it g may have one
+    /// sign alone, above zero or below, whichever is less to change.
     fn error(&self, answer: Option<f32>) -> f64 {
-        let hi = f64::from(self.hi);
-        match answer {
-            Some(u) => self.depth(u.into()).max(self.skipped(u.into())),
-            None if self.at(hi).0 * self.at(self.lo.into()).0 < 0.0 => self.depth(hi),
-            None => self.skipped(hi),
-        }
+        let [lo, hi] = [self.0.lo, self.0.hi].map(f64::from);
+        let [_, c1, c2, c3] = self.0.c.map(f64::from);
+        let sum = -(c2 + c2.signum() * (c2 * c2 - 3.0 * c3 * c1).sqrt());
+        let end = answer.map_or(f64::INFINITY, f64::from);
+        let extremes = [lo, sum / (3.0 * c3), c1 / sum, hi];
+        let before = extremes.into_iter().filter(|&u| lo <= u && u <= hi && u < end);
+        let (above, below) = before.fold((0_f64, 0_f64), |(above, below), u| {
+            if self.at(u).0 > 0.0 {
+                (above.max(self.depth(u)), below)
+            } else {
+                (above, below.max(self.depth(u)))
+            }
+        });
+        above.min(below).max(answer.map_or(0.0, |u| self.depth(u.into())))
     }
-}
-
-struct Family {
-    name: &'static str,
-    make: fn(&mut ChaCha8Rng) -> Problem,
 }
 
 fn even(rng: &mut ChaCha8Rng) -> f64 {
@@ -77,104 +61,43 @@ fn decades(rng: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
     10_f64.powf(rng.random_range(from..to)) * if rng.random() { 1.0 } else { -1.0 }
 }
 
-fn power_form(rng: &mut ChaCha8Rng, scales: [f64; 4]) -> Problem {
-    Problem { c: scales.map(|scale| (scale * even(rng)) as f32), lo: 0.0, hi: 1.0 }
-}
+type Make = fn(&mut ChaCha8Rng) -> Question;
 
-const FAMILIES: &[Family] = &[
-    Family {
-        name: "separate roots",
-        make: |r| Problem::with_roots([even(r), even(r), even(r)], 1.0, -1.0, 1.0),
-    },
-    Family {
-        name: "double roots but for 1e-1 to 1e-7",
-        make: |r| {
-            let root = r.random_range(0.0..1.0);
-            let gap = decades(r, -7.0, -1.0);
-            Problem::with_roots([root, root + gap, 3.0 * even(r)], even(r), 0.0, 1.0)
-        },
-    },
-    Family {
-        name: "triple roots but for 1e-1 to 1e-7",
-        make: |r| {
-            let root = r.random_range(0.0..1.0);
-            let gap = decades(r, -7.0, -1.0);
-            Problem::with_roots([root, root + gap, root + gap * even(r)], 1.0, 0.0, 1.0)
-        },
-    },
-    Family {
-        name: "leading coefficient 1e-1 to 1e-12",
-        make: |r| {
-            let lead = decades(r, -12.0, -1.0);
-            power_form(r, [1.0, 1.0, 1.0, lead])
-        },
-    },
-    Family { name: "quadratics", make: |r| power_form(r, [1.0, 1.0, 1.0, 0.0]) },
-    Family {
-        name: "both leading coefficients 1e-1 to 1e-12",
-        make: |r| {
-            let (second, lead) = (decades(r, -12.0, -1.0), decades(r, -12.0, -1.0));
-            power_form(r, [1.0, 1.0, second, lead])
-        },
-    },
-    Family { name: "straight lines", make: |r| power_form(r, [1.0, 1.0, 0.0, 0.0]) },
-    Family {
-        name: "roots from 1e-3 to 1e3",
-        make: |r| {
-            let roots = [decades(r, -3.0, 3.0), decades(r, -3.0, 3.0), decades(r, -3.0, 3.0)];
-            Problem::with_roots(roots, 1.0, -1100.0, 1100.0)
-        },
-    },
-    Family {
-        name: "scales from 2^-110 to 2^110",
-        make: |r| {
-            let scale = r.random_range(-110.0_f64..110.0).exp2();
-            Problem::with_roots([even(r), even(r), even(r)], scale, -1.0, 1.0)
-        },
-    },
-    Family {
-        name: "a root on the lower end",
-        make: |r| Problem::with_roots([0.0, 2.0 * even(r), 2.0 * even(r)], even(r), 0.0, 1.0),
-    },
-    Family {
-        name: "a root on the upper end",
-        make: |r| Problem::with_roots([1.0, 2.0 * even(r), 2.0 * even(r)], even(r), 0.0, 1.0),
-    },
-    Family {
-        name: "coefficients over 30 decades",
-        make: |r| Problem { c: [(); 4].map(|()| decades(r, -20.0, 10.0) as f32), lo: -1e6, hi: 1e6 },
-    },
-    Family {
-        name: "all of the line",
-        make: |r| Problem { lo: f32::MIN, hi: f32::MAX, ..power_form(r, [1.0; 4]) },
-    },
-    Family { name: "no square", make: |r| Problem { lo: -1.0, ..power_form(r, [1.0, 1.0, 0.0, 1.0]) } },
-    Family {
-        name: "silhouettes",
-        make: |r| {
-            // A ray's g = c − a·(u − v)², v where it is nearest and c a graze, and a little of u³.
-            let (v, c) = (r.random_range(0.1..0.9), decades(r, -9.0, -1.0));
-            let bend = 0.1 * even(r);
-            Problem { c: [c - v * v, 2.0 * v, -1.0, bend].map(|c| c as f32), lo: 0.0, hi: 1.0 }
-        },
-    },
+/// What [`FAMILIES`] has not, or not by itself.
+const MORE: [(&str, Make); 3] = [
+    ("straight lines", |r| Question { c: [even(r) as f32, even(r) as f32, 0.0, 0.0], lo: 0.0, hi: 1.0 }),
+    ("a root at zero, where the interval begins", |r| {
+        Question::with_roots([0.0, 2.0 * even(r), 2.0 * even(r)], even(r), 0.0, 1.0)
+    }),
+    ("all of the line", |r| Question { c: [(); 4].map(|()| even(r) as f32), lo: f32::MIN, hi: f32::MAX }),
 ];
+
+/// The cubics of every family, made once for all solvers.
+static PROBLEMS: LazyLock<Vec<(&str, Vec<Problem>)>> = LazyLock::new(|| {
+    let listed = FAMILIES.iter().map(|family| {
+        (family.name, (0..CUBICS as u64).map(|index| Problem(family.question(1545, index))).collect())
+    });
+    let more = MORE.iter().map(|(name, make)| {
+        let mut rng = ChaCha8Rng::seed_from_u64(1545);
+        (*name, (0..CUBICS).map(|_| Problem(make(&mut rng))).collect())
+    });
+    listed.chain(more).collect()
+});
 
 fn is_sound<S: Solver>() {
     let mut worst = 0_f64;
-    for family in FAMILIES {
-        let mut rng = ChaCha8Rng::seed_from_u64(1545);
+    for (name, problems) in PROBLEMS.iter() {
         let mut found = 0;
-        for i in 0..CUBICS {
-            let problem = (family.make)(&mut rng);
-            let g = Cubic::new(problem.c);
-            let answer = g.first_root_by::<S>(problem.lo, problem.hi);
+        for (i, problem) in problems.iter().enumerate() {
+            let Question { c, lo, hi } = problem.0;
+            let g = Cubic::new(c);
+            let answer = g.first_root_by::<S>(lo, hi);
             let error = problem.error(answer);
-            let said = format!("{}, number {i}: {problem:?} → {answer:?}, off by {error} units", family.name);
-            assert!(answer.is_none_or(|u| (problem.lo..=problem.hi).contains(&u)), "{said}");
+            let said = format!("{name}, number {i}: {problem:?} → {answer:?}, off by {error} units");
+            assert!(answer.is_none_or(|u| (lo..=hi).contains(&u)), "{said}");
             assert!(error <= f64::from(BACKWARD_ERROR), "{said}");
 
-            let roots = g.roots_by::<S>(problem.lo, problem.hi);
+            let roots = g.roots_by::<S>(lo, hi);
             assert_eq!(roots.first().copied(), answer, "{said}");
             assert!(roots.is_sorted(), "{said}: {roots:?}");
             assert!(
@@ -184,7 +107,7 @@ fn is_sound<S: Solver>() {
             worst = worst.max(error);
             found += usize::from(answer.is_some());
         }
-        assert!(found > CUBICS / 10, "{}: only {found} roots", family.name);
+        assert!(found > CUBICS / 10, "{name}: only {found} roots");
     }
     assert!(worst > f64::from(BACKWARD_ERROR) / 4.0, "the bound is slack: {worst}");
 }
@@ -203,7 +126,7 @@ fn all_roots_are_found() {
         if roots[1] - roots[0] < 1e-2 || roots[2] - roots[1] < 1e-2 {
             continue;
         }
-        let problem = Problem::with_roots(roots, 1.0, -2.0, 2.0);
+        let problem = Question::with_roots(roots, 1.0, -2.0, 2.0);
         let found = Cubic::new(problem.c).roots(problem.lo, problem.hi);
         assert_eq!(found.len(), 3, "number {i}: {problem:?} → {found:?}, should be {roots:?}");
         for (found, root) in found.iter().zip(roots) {

@@ -14,7 +14,7 @@ use core::slice;
 /// separate two solids of which one stands on the other; but a plane is not taken if the eye lies in it, as
 /// it may in that of a cap. A dot product of three terms is off by three units of roundoff, the support
 /// function by four.
-const ROUNDING: f32 = 1.0 + 8.0 * UNIT_ROUNDOFF;
+const MARGIN: f32 = 1.0 + 8.0 * UNIT_ROUNDOFF;
 
 /// By how much `between·n`, the distance between two solids' centers along n times n's length, must exceed
 /// what both extend along n: this times the square of the sum of both radii. If n is shorter than 10⁻¹⁹, its
@@ -193,9 +193,7 @@ impl Camera {
         while i < normals.len() {
             let n = normals[i];
             let extent = far.support(n);
-            if ROUNDING * dot(between, n) > extent + near.support(n) + least
-                && dot(away, n) > ROUNDING * extent
-            {
+            if MARGIN * dot(between, n) > extent + near.support(n) + least && dot(away, n) > MARGIN * extent {
                 return true;
             }
             i += 1;

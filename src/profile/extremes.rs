@@ -1,4 +1,4 @@
-use crate::math::const_fn;
+use crate::math::{UNIT_ROUNDOFF, const_fn};
 
 /// The least and the largest value of a cubic over [0, 1].
 pub(super) struct Extremes {
@@ -14,7 +14,7 @@ pub(super) struct Extremes {
 /// An upper bound of the rounding error of a value computed by de Casteljau's algorithm, relative to the
 /// largest ordinate. Each of its three levels adds at most two and a half roundings: one of a term, one of
 /// the sum, and half of one in 1 − u. That is 7.5 in all, here rounded up to 8.
-const ROUNDING: f32 = 8.0 / 16_777_216.0;
+const VALUE_ERROR: f32 = 8.0 * UNIT_ROUNDOFF;
 
 impl Extremes {
     /// The extremes of `Σ bⱼ·Bⱼ³(u)`: the least and the largest of the values at the two ends and at the
@@ -49,7 +49,7 @@ impl Extremes {
         }
         // A rounding error e in a critical point changes the value there only by a multiple of e², which is
         // well within the same bound.
-        let slack = ROUNDING * size;
+        let slack = VALUE_ERROR * size;
         if least < 0.0 && least >= -slack && b0 >= 0.0 && b3 >= 0.0 {
             least = 0.0;
         }

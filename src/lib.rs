@@ -1,4 +1,4 @@
-//! Smoothly lit solids, turned from cubic Bézier profiles, ray-traced onto small displays: `no_std`, no
+//! Ray-traces smoothly lit solids of revolution with cubic Bézier profiles onto small displays: `no_std`, no
 //! allocation, f32.
 //!
 //! A vase, a bottle, a bulb, a knob or a chess piece is an outline turned about an axis. Here the outline is
@@ -8,10 +8,10 @@
 //! k·x² + y² = f(u) = Σ bⱼ·Bⱼ³(u),    z = z₀ + h·u,    0 ≤ u ≤ 1,    0 ≤ k ≤ 1
 //! ```
 //!
-//! so that a ray meets a segment where one *cubic* vanishes, where a general Bézier outline takes a sextic.
-//! The idea is that of Kang Zhuzhen and Lu Lina, *The algorithm of finding intersection point for ray tracing
-//! to ternary Bezier curve rotating surface* (Journal of Xi'an Jiaotong University, 1995). Forming that cubic
-//! in f32 without losing it, and solving it, is what this crate is about.
+//! so that a ray meets a segment at the roots of a *cubic*; with a general cubic Bézier outline it is a
+//! sextic. The idea is that of Kang Zhuzhen and Lu Lina, *The algorithm of finding intersection point for ray
+//! tracing to ternary Bezier curve rotating surface* (Journal of Xi'an Jiaotong University, 1995). This crate
+//! computes the coefficients of that cubic in f32 without losing precision, and solves it.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
@@ -37,7 +37,8 @@
 //!
 //! # The pipe
 //!
-//! Each stage is a file, with a folder of the same name where it has rooms, and names only stages to its left.
+//! Each stage is a file, with a folder of the same name if it has submodules, and uses only stages to its
+//! left.
 //!
 //! ```text
 //! message → valid → math → vector → cubic → bernstein → solve → profile → ray → hit → lathe → surface → color
@@ -46,7 +47,7 @@
 //!
 //! | stage | from | to |
 //! |---|---|---|
-//! | [`Profile`] | numbers | an outline that is one, or a [`ProfileError`] that names the culprit |
+//! | [`Profile`] | numbers | a checked outline, or a [`ProfileError`] that names the number at fault |
 //! | [`Lathe`] | a profile | segments with bounds, in flash; [`Ray`] → [`Hit`], one by one or along a row |
 //! | [`Cubic`], [`Bernstein`], [`solve`] | a cubic, an interval | the first root, or all of them |
 //! | [`Surface`] | a hit | its point and normal, for what is seen |
@@ -56,35 +57,36 @@
 //!
 //! # How it is called
 //!
-//! All names are in the crate's root, so that `use embedded_lathe::*` serves as a prelude, beside that of
-//! embedded-graphics, too. Vectors are arrays, `[x, y, z]`, given and returned. Constructors that check their
-//! numbers return a `Result`; [`valid!`] makes its error one of the compiler. Methods that change a value return
-//! the new one. What may grow in later versions (errors, [`Scene`], [`Hit`], [`Surface`], [`Part`], [`End`],
-//! [`Background`]) is `#[non_exhaustive]`.
+//! All names are in the crate's root. So `use embedded_lathe::*` serves as a prelude; it does not conflict
+//! with that of embedded-graphics. Vectors are arrays, `[x, y, z]`, as arguments and as results. Constructors
+//! that check their numbers return a `Result`; with [`valid!`] an error is reported by the compiler. Methods
+//! that change a value return the new value. Types that may get more fields or variants in later versions
+//! (errors, [`Scene`], [`Hit`], [`Surface`], [`Part`], [`End`], [`Background`]) are `#[non_exhaustive]`.
 //!
 //! # Letters
 //!
-//! One meaning each, throughout:
+//! Each letter has one meaning in the whole crate:
 //!
 //! | letter | what it is |
 //! |---|---|
-//! | x, y, z | coordinates; z is the height, along the axis |
-//! | r, k | radius; the squash, by which x² counts less than y² |
+//! | x, y, z | coordinates; z is the height, measured along the axis |
+//! | r, k | the radius; the squash, a factor on x² |
 //! | u | the profile's parameter in its segment, 0 at the lower knot, 1 at the upper |
 //! | f, F | the squared radius as a function of u; as a function of z |
 //! | b; f0 to f3 | a segment's Bernstein ordinates; the same cubic's coefficients in powers of u |
 //! | c0 to c3 | the coefficients of any cubic, constant term first |
 //! | g | f − (k·x² + y²): positive inside the solid, negative outside |
-//! | t, s | the distance along a ray in units of its direction; the same counted from a point near the solid |
+//! | t, s | the distance along a ray, in lengths of its direction, from its origin; the same from a point near the solid |
 //! | q | dx² + dy² of a ray's direction, in the frame |
 //! | κ | du/ds along a ray |
 //! | A | dg/ds at a root |
 //! | M, D | a point and the direction of a row's ray, in the frame: the ray is M + s·D |
-//! | i, j | columns and rows of pixels; where there are no pixels, indices |
+//! | i, j | the column and the row of a pixel; in code without pixels, indices |
 //!
 //! # Glossary
 //!
-//! Words of this crate's own, in italics where a file first leans on one:
+//! These words have a meaning of this crate's own. A file sets such a word in italics where it first needs
+//! it:
 //!
 //! | word | what it means |
 //! |---|---|
@@ -93,27 +95,28 @@
 //! | *frame* | a lathe's own coordinates: origin half way up the axis, scaled by a power of two so that the largest squared radius is in [1, 4), x scaled by √k |
 //! | *slab* | the space between the planes of a segment's two knots |
 //! | *chord* | the part of a ray in a segment's slab |
-//! | *unit* | of the promise below: 2⁻²⁴·(size + distance) |
+//! | *unit* | 2⁻²⁴·(size + distance), in which the promises below are stated |
 //! | *fast path* | the conservative answer for one ray, by bounds of the whole profile: miss, hit, or undecided |
 //! | *traversal* | the complete answer for one ray, chord by chord |
-//! | *undecided band* | values of g so near to zero, or heights so near to an end, that rounding may decide: there neither fast path nor row answers |
+//! | *undecided band* | values of g so near to zero, or heights so near to an end, that rounding may decide: neither the fast path nor the row decides such a pixel |
 //! | *sweep* | the traversal of a row of rays together, pixel after pixel from the middle outwards |
-//! | *span* | neighbouring pixels of a row that are alike: tracked, cap, empty or single |
+//! | *span* | neighbouring pixels of a row that are computed in the same way: tracked, cap, empty or single |
 //! | *tracked root* | the crossing of one pixel's ray carried on to the next by Newton's method |
 //! | *certificate* | why a tracked root is its ray's nearest, and for how many pixels |
 //! | *probe* | an upper bound of g along one ray, and the number of neighbours for which it proves a miss |
 //! | *slope jump* | by how much dF/dz rises at a knot |
 //! | *single ray* | a ray cast for one pixel where the row is undecided |
-//! | *shade* | a step of a display's color channel |
+//! | *shade* | a step of a display's color channel; `Paint::shade` makes a pixel of three such numbers |
 //!
 //! # What is promised
 //!
-//! A unit is ε·(size + distance), ε = 2⁻²⁴. The size of the solid is its height or its largest diameter, whichever is more
-//! (across, along y, of one that is stretched along x), the distance that of the ray's origin from the middle of the axis.
+//! A unit is ε·(size + distance), where ε = 2⁻²⁴. The size is the larger of the solid's height and its
+//! largest diameter; if the solid is stretched along x, that is its diameter along y. The distance is that of
+//! the ray's origin from the middle of the axis.
 //!
-//! - A ray hits or misses as it should, and what it hits is the part that it should, if it clears every silhouette, every rim
-//!   and, at its start, the surface by 4 units. It clears them if no displacement of the surface by less than 4 units changes the
-//!   list of the ray's crossings.
+//! - A ray that clears every silhouette, every rim and, at its start, the surface by 4 units hits or misses
+//!   as in exact arithmetic, and a hit is on the same part of the surface. A ray clears them if no
+//!   displacement of the surface by less than 4 units changes the list of the ray's crossings.
 //! - A ray that is nearer to a silhouette may hit there or miss; it never hits far from the surface.
 //! - The point of a hit lies within 4 units of the surface. This unit is larger: the distance of the hit from the ray's origin
 //!   is added to size and distance. Where the surface is plane within those 4 units of the hit, the distance along the ray is
@@ -124,8 +127,10 @@
 //!   up to 8ε of the segment's largest squared radius, and so the radius by up to √(8ε) of the largest radius.
 //! - No result is NaN, no call panics, and no ray slips through between two segments.
 //!
-//! The tests hold every solver over every backend to it. The same source gives the same bits on every
-//! machine: additions, multiplications, divisions and correctly rounded roots in a fixed order.
+//! The tests check these promises for every solver of [`solve`] with every backend of [`math`], which
+//! supplies square roots and a few other functions. The same source gives the same bits on every machine,
+//! because the renderer uses only additions, multiplications, divisions and correctly rounded square roots,
+//! in a fixed order.
 //!
 //! # Features
 //!

@@ -43,13 +43,6 @@ pub fn source(body: &Body, origin: &Origin) -> String {
     for warning in &body.warnings {
         let _ = writeln!(text, "// Mind: {warning}.");
     }
-    let profiles = Profiles::of(body);
-    for (height, [from, to]) in &profiles.open {
-        let _ = writeln!(
-            text,
-            "// Left open: the ring at height {height:.5} between the radii {from:.5} and {to:.5}."
-        );
-    }
-    text.push_str(&profiles.source(&origin.name));
+    text.push_str(&Profiles::of(body).source(&origin.name));
     text
 }

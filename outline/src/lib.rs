@@ -75,3 +75,8 @@ pub use solid::{Fit, body};
 
 /// The most pieces that an outline may have.
 pub const MOST_PIECES: usize = 2000;
+
+/// The examples in README.md are compiled.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,131 +1,71 @@
 //! A body in the types that the crate has for it: the one place that knows them.
 //!
-//! A profile has no steps and no rings. So each stretch of a sheet between two steps is a profile of its own, all of
-//! them in one pose. At a step of an outer wall the wider of the two stretches gets a flat cap, which the
-//! narrower one stands on, or hangs from. What no cap can close is left open: see [`Profiles::open`].
+//! A sheet is a profile, its flats steps at the profile's ends. All the sheets of a body are solids in one pose.
 
-use crate::{Body, Sheet, Side};
-use embedded_lathe::{End, Lathe, Profile, ProfileError, Segment};
+use crate::{Body, Sheet};
+use embedded_lathe::{Lathe, Profile, ProfileError, Segment};
 use std::fmt::Write;
 
-/// A body's profiles.
+/// A body's profiles, one for each sheet.
 #[derive(Clone, Debug)]
-pub struct Profiles {
-    profiles: Vec<Stretch>,
-    /// The rings that are left open, by height and radii.
-    pub open: Vec<(f64, [f64; 2])>,
-}
+pub struct Profiles(Vec<Numbers>);
 
 #[derive(Clone, Debug)]
-struct Stretch {
+struct Numbers {
+    segments: usize,
     knots: Vec<f32>,
     ordinates: Vec<f32>,
-    /// Whether there is a cap, below and above.
-    caps: [bool; 2],
+}
+
+impl Numbers {
+    fn of(sheet: &Sheet) -> Self {
+        let (mut knots, mut ordinates) = (sheet.knots.clone(), sheet.ordinates.clone());
+        let [low, high] = sheet.ends();
+        if let Some(base) = sheet.base.filter(|base| *base != low) {
+            knots.insert(0, knots[0]);
+            ordinates.insert(0, base);
+        }
+        if let Some(top) = sheet.top.filter(|top| *top != high) {
+            knots.push(knots[knots.len() - 1]);
+            ordinates.push(top);
+        }
+        Self { segments: sheet.segments().count(), knots, ordinates }
+    }
 }
 
 impl Profiles {
     /// Those of a body.
     pub fn of(body: &Body) -> Self {
-        let mut all = Self { profiles: Vec::new(), open: Vec::new() };
-        body.sheets.iter().for_each(|sheet| all.add(sheet));
-        all
+        Self(body.sheets.iter().map(Numbers::of).collect())
     }
 
-    fn add(&mut self, sheet: &Sheet) {
-        let first = self.profiles.len();
-        let mut knots = vec![sheet.knots[0]];
-        let mut from = 0;
-        for pair in sheet.knots.windows(2) {
-            if pair[0] == pair[1] {
-                from = self.push(&mut knots, sheet, from);
-            }
-            knots.push(pair[1]);
-            if pair[0] == pair[1] {
-                knots = vec![pair[1]];
-            }
-        }
-        self.push(&mut knots, sheet, from);
-        // The steps between two stretches.
-        for i in first + 1..self.profiles.len() {
-            let [below, above] = [self.end(i - 1, true), self.end(i, false)];
-            if sheet.side == Side::Outer {
-                let (wider, cap) = if below > above { (i - 1, 1) } else { (i, 0) };
-                self.profiles[wider].caps[cap] = true;
-            } else {
-                self.leave(self.profiles[i].knots[0], below, above);
-            }
-        }
-        let last = self.profiles.len() - 1;
-        for (flat, at, cap) in [(sheet.base, first, 0), (sheet.top, last, 1)] {
-            let Some(to) = flat else { continue };
-            let end = self.end(at, cap == 1);
-            if to == 0.0 {
-                self.profiles[at].caps[cap] = true;
-            } else {
-                let stretch = &self.profiles[at];
-                let height = if cap == 1 { stretch.knots[stretch.knots.len() - 1] } else { stretch.knots[0] };
-                self.leave(height, end, to);
-            }
-        }
-    }
-
-    /// Adds the stretch whose ordinates begin at `from`; the next one's begin at what is returned.
-    fn push(&mut self, knots: &mut Vec<f32>, sheet: &Sheet, from: usize) -> usize {
-        let end = from + 3 * (knots.len() - 1) + 1;
-        let ordinates = sheet.ordinates[from..end].to_vec();
-        self.profiles.push(Stretch { knots: core::mem::take(knots), ordinates, caps: [false; 2] });
-        end
-    }
-
-    fn end(&self, profile: usize, upper: bool) -> f32 {
-        let ordinates = &self.profiles[profile].ordinates;
-        if upper { ordinates[ordinates.len() - 1] } else { ordinates[0] }
-    }
-
-    fn leave(&mut self, height: f32, from: f32, to: f32) {
-        let radii = [from.min(to), from.max(to)].map(|square| f64::from(square).sqrt());
-        self.open.push((f64::from(height), radii));
-    }
-
-    /// Turned, for as many segments as there may be in one of them.
+    /// Turned, for at most N segments each.
     ///
     /// # Errors
     ///
     /// [`ProfileError`] if the crate refuses one: more segments than N, for one.
     pub fn turned<const N: usize>(&self) -> Result<Vec<Lathe<[Segment; N]>>, ProfileError> {
-        let ends = |capped: bool| if capped { End::Capped } else { End::Open };
-        self.profiles
-            .iter()
-            .map(|profile| {
-                let turned = Profile::<N>::from_squared_radii(&profile.knots, &profile.ordinates)?;
-                let [base, top] = profile.caps.map(ends);
-                Ok(Lathe::turn(turned.base(base).top(top)))
-            })
-            .collect()
+        let turned = |sheet: &Numbers| {
+            Profile::<N>::from_squared_radii(&sheet.knots, &sheet.ordinates).map(Lathe::turn)
+        };
+        self.0.iter().map(turned).collect()
     }
 
     /// The source text: a `static` for each, and if there are several, one with all of them as solids.
     pub fn source(&self, name: &str) -> String {
         let mut text = String::new();
-        let count = self.profiles.len();
+        let count = self.0.len();
         let names: Vec<String> = if count == 1 {
             vec![name.to_string()]
         } else {
             (1..=count).map(|i| format!("{name}_{i}")).collect()
         };
-        for (profile, name) in self.profiles.iter().zip(&names) {
-            let segments = profile.knots.len() - 1;
-            let _ = writeln!(text, "pub static {name}: Lathe<[Segment; {segments}]> = Lathe::turn(");
-            text.push_str("    valid!(Profile::from_squared_radii(\n");
-            list(&mut text, &profile.knots);
-            list(&mut text, &profile.ordinates);
-            text.push_str("    ))");
-            let methods = [".base(End::Capped)", ".top(End::Capped)"];
-            for (method, _) in methods.iter().zip(profile.caps).filter(|(_, cap)| *cap) {
-                let _ = write!(text, "\n    {method}");
-            }
-            text.push_str(",\n);\n");
+        for (Numbers { segments, knots, ordinates }, name) in self.0.iter().zip(&names) {
+            let _ = writeln!(text, "pub static {name}: Lathe<[Segment; {segments}]> =");
+            text.push_str("    Lathe::turn(valid!(Profile::from_squared_radii(\n");
+            list(&mut text, knots);
+            list(&mut text, ordinates);
+            text.push_str("    )));\n");
         }
         if count > 1 {
             let _ = writeln!(text, "pub static {name}: [Solid; {count}] = [");

@@ -11,7 +11,7 @@ const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 #[test]
 fn proven_bounds_hold() {
-    check(0..24, 120);
+    check(0..12, 100);
 }
 
 /// `cargo test --release -p embedded-lathe-outline --test random -- --ignored`

@@ -1,14 +1,12 @@
 //! In what order solids are painted, and which may hide which: far ones are painted before near ones.
 //!
 //! Where a plane separates two solids, with the eye on the near one's side, no ray meets the far one first.
-//! Only where no such plane is found must pixels ask which of the two is nearer. Any order gives the same
-//! picture; a good one is cheap.
+//! Only where no such plane is found must the distances of the two be compared, pixel by pixel.
 
 use crate::camera::{Camera, Projection};
 use crate::math::{UNIT_ROUNDOFF, const_fn};
 use crate::solid::Solid;
 use crate::vector::{F32x3, difference, dot, scale};
-use core::slice;
 
 /// The factor by which rounding is taken into account where distances are compared. With it a plane may
 /// separate two solids of which one stands on the other; but a plane is not taken if the eye lies in it, as
@@ -26,126 +24,91 @@ const LEAST: f32 = 1e-12;
 /// From there the direction to any point of the two solids differs from that of the rays by 2⁻²⁰ at most.
 const FAR: f32 = 1_048_576.0;
 
-/// How many solids a [`PaintOrder`] keeps: as many as a `u32` has groups of four bits. More are ordered anew
-/// in every row.
-const KEPT: usize = 8;
+/// How many solids a [`PaintOrder`] sorts: as many as a `u32` has groups of four bits.
+const SORTED: usize = 8;
 
-/// The order in which solids are painted, and which of them must be compared with the others pixel by pixel:
+/// The order in which solids are painted, and which of them are compared by their distances, pixel by pixel:
 /// computed once for a picture.
+///
+/// Most are painted one over the other. Those between which, in this order, no plane is found, and those
+/// ranked between them, are one block, which is painted with a depth for each pixel, in the order of the
+/// slice: of two at the same distance the first is seen. More than [`SORTED`] solids are all such a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct PaintOrder {
-    /// The indices of the farthest solids, 0 to 7 in four bits each, that of the farthest in the lowest. Of
-    /// more than [`KEPT`] solids none is kept.
+    /// The indices of the first [`SORTED`] solids, 0 to 7 in four bits each, that of the first in the lowest.
     indices: u32,
-    /// Bit n is set if the n-th of them may be hidden by one that is painted before it.
-    compared: u8,
-}
-
-/// A solid in its turn.
-pub(crate) struct Painted<'a> {
-    pub solid: &'a Solid<'a>,
-    /// The solids of which the nearest is seen where this one may be: it alone, or, if one painted before it
-    /// may yet hide it, all of them.
-    pub candidates: &'a [Solid<'a>],
+    /// The ranks of the block: from `block` to before `beyond`.
+    pub block: usize,
+    pub beyond: usize,
 }
 
 impl PaintOrder {
     /// The order of solids that a camera sees: the farthest first, and of two at the same distance the first
-    /// in the slice.
+    /// in the slice; but within the block in the order of the slice.
     #[inline(never)]
     pub const fn of(solids: &[Solid], camera: &Camera) -> Self {
-        let mut order = Self { indices: 0, compared: 0 };
-        let (mut rank, mut last) = (0, FIRST);
-        while rank < solids.len() && solids.len() <= KEPT {
-            last = camera.painted_after(solids, last);
-            order.indices |= (index_of(last) as u32) << (4 * rank);
-            order.compared |= (camera.may_be_hidden(solids, last) as u8) << rank;
-            rank += 1;
+        let mut order = Self { indices: 0x7654_3210, block: 0, beyond: solids.len() };
+        if solids.len() > SORTED {
+            return order;
         }
+        order.sort(solids, camera, 0, solids.len());
+        (order.block, order.beyond) = (solids.len(), 0);
+        let mut near = 1;
+        while near < solids.len() {
+            let mut far = 0;
+            while far < near && !(order.block <= far && near < order.beyond) {
+                if !order.is_parted(solids, camera, far, near) {
+                    order.block = if far < order.block { far } else { order.block };
+                    order.beyond = near + 1;
+                }
+                far += 1;
+            }
+            near += 1;
+        }
+        order.sort(&[], camera, order.block, order.beyond);
         order
     }
 
-    /// The solid that is painted as number `rank`, from 0 on; `None` if there are no more. `last` is the
-    /// place of the solid before it, at first [`FIRST`], and becomes this one's; only where no order is kept
-    /// it is used.
+    /// The index of the solid that is painted as number `rank`, from 0 on.
     #[inline]
-    pub fn painted<'a>(
-        &self,
-        solids: &'a [Solid<'a>],
-        camera: &Camera,
-        rank: usize,
-        last: &mut Place,
-    ) -> Option<Painted<'a>> {
-        let (index, is_compared) = match solids.len() {
-            len if rank >= len => return None,
-            0..=KEPT => ((self.indices >> (4 * rank)) as usize & 7, self.compared >> rank & 1 == 1),
-            _ => camera.painted_next(solids, last),
-        };
-        let solid = solids.get(index)?;
-        Some(Painted { solid, candidates: if is_compared { solids } else { slice::from_ref(solid) } })
-    }
-}
-
-/// A solid's place in the order: its distance's bits over the complement of its index, so that of two numbers
-/// the larger is painted first.
-pub(crate) type Place = u64;
-
-/// Before all others.
-pub(crate) const FIRST: Place = u64::MAX;
-
-/// The index of the solid at a place.
-const fn index_of(place: Place) -> usize {
-    !(place as u32) as usize
-}
-
-impl Camera {
-    /// The place of the solid at an index; 0, the last, if there is none.
-    const fn place(&self, solids: &[Solid], index: usize) -> Place {
-        if index >= solids.len() {
-            return 0;
-        }
-        (self.distance(&solids[index]) as u64) << 32 | !(index as u32) as u64
+    pub const fn index(&self, rank: usize) -> usize {
+        if rank < SORTED { (self.indices >> (4 * rank)) as usize & 7 } else { rank }
     }
 
-    /// The place after another: of those that are painted later the first, 0 if there is none.
+    /// Whether a plane is found between the solids of two ranks, so that the first hides nothing of the other.
     #[inline(never)]
-    const fn painted_after(&self, solids: &[Solid], last: Place) -> Place {
-        let (mut next, mut index) = (0, 0);
-        while index < solids.len() {
-            let place = self.place(solids, index);
-            if place < last && place > next {
-                next = place;
+    const fn is_parted(&self, solids: &[Solid], camera: &Camera, far: usize, near: usize) -> bool {
+        let (far, near) = (self.index(far), self.index(near));
+        far < solids.len() && near < solids.len() && camera.sees_behind(&solids[far], &solids[near])
+    }
+
+    /// Sorts the ranks from `from` to before `to` by falling distances of their solids, and where there are
+    /// no solids, or two are at the same distance, by their indices: by insertion.
+    const fn sort(&mut self, solids: &[Solid], camera: &Camera, from: usize, to: usize) {
+        let mut next = from + 1;
+        while next < to {
+            let mut rank = next;
+            while rank > from && self.is_before(solids, camera, rank) {
+                // Swaps four bits with the four below.
+                let low = 4 * (rank - 1);
+                let both = (self.indices >> low ^ self.indices >> (low + 4)) & 15;
+                self.indices ^= both << low | both << (low + 4);
+                rank -= 1;
             }
-            index += 1;
+            next += 1;
         }
-        next
     }
 
-    /// The index of the solid that is painted after the one at place `last`, which becomes its place, and
-    /// whether it must be compared.
-    #[cold]
-    fn painted_next(&self, solids: &[Solid], last: &mut Place) -> (usize, bool) {
-        *last = self.painted_after(solids, *last);
-        (index_of(*last), self.may_be_hidden(solids, *last))
-    }
-
-    /// Whether the solid at a place may be hidden by one at no smaller distance: whether one of those is not
-    /// separated from it.
+    /// Whether the solid of a rank is to be painted before the one ranked before it.
     #[inline(never)]
-    const fn may_be_hidden(&self, solids: &[Solid], place: Place) -> bool {
-        let near = index_of(place);
-        let mut index = 0;
-        while index < solids.len() && near < solids.len() {
-            if index != near
-                && self.distance(&solids[index]) >= (place >> 32) as u32
-                && !self.sees_behind(&solids[index], &solids[near])
-            {
-                return true;
-            }
-            index += 1;
+    const fn is_before(&self, solids: &[Solid], camera: &Camera, rank: usize) -> bool {
+        let (index, other) = (self.index(rank), self.index(rank - 1));
+        if index >= solids.len() || other >= solids.len() {
+            return index < other;
         }
-        false
+        let (distance, others) = (camera.distance(&solids[index]), camera.distance(&solids[other]));
+        distance > others || distance == others && index < other
     }
 }
 

@@ -2,12 +2,13 @@
 //! kept.
 
 mod canvas;
+mod depth;
 mod pixels;
 mod raster;
 mod solid_row;
 
-pub(crate) use pixels::{Pixels, RUN};
-pub(crate) use raster::Raster;
+pub(crate) use pixels::Pixels;
+pub(crate) use raster::{RUN, Raster};
 
 use crate::camera::Camera;
 use crate::color::{Background, Paint};

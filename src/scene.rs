@@ -79,7 +79,8 @@ pub struct Scene<'a> {
     /// at a point where two only touch, either may be seen.
     ///
     /// If the renderer finds a plane that separates two solids, each costs what it costs alone. If it finds
-    /// none, it casts a single ray for each pixel of one of the two, which costs several times as much.
+    /// none, their distances are compared pixel by pixel: each costs a little more than alone, and the picture
+    /// takes 4 bytes of stack for each pixel of a row, 960 at most.
     pub solids: &'a [Solid<'a>],
     /// The camera that sees them.
     pub camera: Camera,

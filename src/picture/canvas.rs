@@ -1,13 +1,16 @@
 //! The pixels that one solid is painted on.
+//!
+//! `D` is what decides which pixels show it: all that see it, or those where it is the nearest.
 
+use super::depth::{Depth, Distance};
 use super::solid_row::SolidRow;
 use crate::color::Paint;
 use crate::lathe::{Seen, Span};
-use crate::shade::{Finish, Views};
+use crate::shade::Finish;
 use crate::vector::{F32x3, Vector};
 
 /// A part of a row of pixels, and what colors a solid on it.
-pub(super) struct Canvas<'a, C> {
+pub(super) struct Canvas<'a, C, D> {
     finish: Finish,
     /// The mirror image of the direction to the light, if the left half of the row sees the mirror image of
     /// what the right half sees. A pixel of the left half then has the color that its mirror image in the
@@ -17,16 +20,23 @@ pub(super) struct Canvas<'a, C> {
     x: u32,
     y: u32,
     run: &'a mut [C],
+    depth: &'a mut D,
 }
 
-impl<'a, C: Paint> Canvas<'a, C> {
+impl<'a, C: Paint, D: Depth> Canvas<'a, C, D> {
     /// The pixels `run`, which begin in column x of row y, for a solid along them with the given material.
     #[inline(always)]
-    pub fn new(finish: Finish, along: &SolidRow, (x, y): (u32, u32), run: &'a mut [C]) -> Self {
+    pub fn new(
+        finish: Finish,
+        along: &SolidRow,
+        (x, y): (u32, u32),
+        run: &'a mut [C],
+        depth: &'a mut D,
+    ) -> Self {
         let to_light = finish.to_light;
         let mirrored = along.sweep.mirror();
         let mirrored = mirrored.map(|n| to_light - n * (2.0 * n.dot(to_light) / n.dot(n)));
-        Self { finish, mirrored, x, y, run }
+        Self { finish, mirrored, x, y, run, depth }
     }
 
     /// Paints the half of the row that the sweep is at, from the middle outwards, and its mirror image, if
@@ -50,23 +60,29 @@ impl<'a, C: Paint> Canvas<'a, C> {
     /// Not inline: it keeps registers on the stack, which are not needed while single rays are cast.
     #[inline(never)]
     fn tracked(&mut self, along: &mut SolidRow, i: u32, to: u32) -> u32 {
-        let Self { x, y, ref finish, mirrored, ref mut run } = *self;
-        let SolidRow { sweep, views, .. } = along;
+        let Self { x, y, ref finish, mirrored, ref mut run, ref mut depth } = *self;
+        let SolidRow { sweep, views, rays } = along;
+        let scale = sweep.scale();
         let mut at = (sweep.column(i) - x) as usize;
         let step = if sweep.is_reversed() { usize::MAX } else { 1 };
         // The index in `run` of a pixel's mirror image is this less the pixel's own index. Without a mirror
         // image that difference lies outside of `run`.
         let both = if mirrored.is_some() { run.len() - 1 } else { usize::MAX };
         let mirrored = mirrored.unwrap_or(finish.to_light);
-        sweep.track(i, to, |seen| {
+        sweep.track(i, to, |seen, s| {
             let column = x + at as u32;
-            if let Some(pixel) = run.get_mut(at) {
+            let distance = Distance::Swept(if D::COUNTS { scale.distance(s) } else { 0.0 });
+            if let Some(pixel) = run.get_mut(at)
+                && depth.shows(rays, at, column, distance)
+            {
                 *pixel = C::shade(finish.shades::<C>(column, seen, &finish.to_light, views), column, y);
             }
             let mirrored_at = both.wrapping_sub(at);
             if let Some(pixel) = run.get_mut(mirrored_at) {
-                *pixel =
-                    C::shade(finish.shades::<C>(column, seen, &mirrored, views), x + mirrored_at as u32, y);
+                let image = x + mirrored_at as u32;
+                if depth.shows(rays, mirrored_at, image, distance) {
+                    *pixel = C::shade(finish.shades::<C>(column, seen, &mirrored, views), image, y);
+                }
             }
             at = at.wrapping_add(step);
         })
@@ -78,10 +94,11 @@ impl<'a, C: Paint> Canvas<'a, C> {
     fn cap(&mut self, along: &SolidRow, i: u32, to: u32, up: f32) -> u32 {
         let seen = &Seen::cap(up);
         for i in i..to {
+            let distance = Distance::Swept(if D::COUNTS { along.sweep.end_distance(i, up) } else { 0.0 });
             if self.mirrored.is_some() {
-                self.put(along.sweep.mirrored_column(i), seen, &along.views);
+                self.put(along, along.sweep.mirrored_column(i), seen, distance);
             }
-            self.put(along.sweep.column(i), seen, &along.views);
+            self.put(along, along.sweep.column(i), seen, distance);
         }
         to
     }
@@ -93,8 +110,8 @@ impl<'a, C: Paint> Canvas<'a, C> {
         let mut column = if self.mirrored.is_some() { along.sweep.mirrored_column(i) } else { own };
         // The pixel's own ray is cast last, because the sweep goes on from the hit that is reported last.
         loop {
-            if let Some(seen) = along.cast(i, column) {
-                self.put(column, &seen, &along.views);
+            if let Some((seen, t)) = along.cast(i, column) {
+                self.put(along, column, &seen, Distance::Cast(t));
             }
             if column == own {
                 return i + 1;
@@ -103,12 +120,15 @@ impl<'a, C: Paint> Canvas<'a, C> {
         }
     }
 
-    /// Paints what a column's ray sees.
+    /// Paints what a column's ray sees at a distance.
     #[inline(never)]
-    fn put(&mut self, column: u32, seen: &Seen, views: &Views) {
-        let Self { x, y, ref finish, ref mut run, .. } = *self;
-        if let Some(pixel) = run.get_mut((column - x) as usize) {
-            *pixel = C::shade(finish.shades::<C>(column, seen, &finish.to_light, views), column, y);
+    fn put(&mut self, along: &SolidRow, column: u32, seen: &Seen, distance: Distance) {
+        let Self { x, y, ref finish, ref mut run, ref mut depth, .. } = *self;
+        let at = (column - x) as usize;
+        if let Some(pixel) = run.get_mut(at)
+            && depth.shows(&along.rays, at, column, distance)
+        {
+            *pixel = C::shade(finish.shades::<C>(column, seen, &finish.to_light, &along.views), column, y);
         }
     }
 }

@@ -4,14 +4,6 @@ use super::raster::Raster;
 use crate::color::Paint;
 use core::num::NonZeroU32;
 
-/// How many pixels are computed at once where the caller lends no memory: `Scene::draw` keeps them on its
-/// stack.
-///
-/// The value is a choice between stack and time. Each solid is set up anew for every run, so that the
-/// README's vase, drawn in runs of 40, takes 2.7 times as long as in rows of 240. 40 divides the usual
-/// widths, 240 and 320, and is a multiple of 8, the period of the dithering.
-pub(crate) const RUN: usize = 40;
-
 /// An iterator over the pixels of a rectangle, row by row from its upper left corner.
 ///
 /// It computes a run of pixels at a time, in memory that the caller lends. `nth` computes no run but that of

@@ -3,27 +3,30 @@
 use crate::camera::{Projection, Row};
 use crate::hit::Hit;
 use crate::lathe::{RayRow, RowPart, Seen, Sweep};
-use crate::occlusion::Painted;
 use crate::ray::Ray;
 use crate::shade::Views;
 use crate::solid::Solid;
 use crate::solve::Newton;
 use crate::vector::{largest, vector};
-use core::ptr;
 
 /// A solid along a part of a row.
 pub(super) struct SolidRow<'a> {
-    painted: &'a Painted<'a>,
-    row: &'a Row<'a>,
+    pub rays: SolidRays<'a>,
     pub views: Views,
     pub sweep: Sweep<'a>,
 }
 
+/// The rays of a row of pixels, cast at a solid one by one.
+pub(super) struct SolidRays<'a> {
+    solid: &'a Solid<'a>,
+    row: &'a Row<'a>,
+}
+
 impl<'a> SolidRow<'a> {
-    /// Sets up the columns from `start` to before `end` of a row.
+    /// Sets up the columns from `start` to before `end` of a row. `has_depth` says whether distances are
+    /// compared with those of other solids.
     #[inline(never)]
-    pub fn new(painted: &'a Painted<'a>, row: &'a Row<'a>, start: u32, end: u32) -> Self {
-        let solid = painted.solid;
+    pub fn new(solid: &'a Solid<'a>, row: &'a Row<'a>, (start, end): (u32, u32), has_depth: bool) -> Self {
         let Ray { origin, direction, unit } = solid.ray_into(&row.ray(0));
         let (step, projection) = row.step();
         let (step, none) = (solid.direction_into(step), vector([0.0; 3]));
@@ -32,37 +35,30 @@ impl<'a> SolidRow<'a> {
             Projection::Orthographic => (step * unit, none),
         };
         let rays = RayRow { origin, origin_step, direction, direction_step };
-        let part = RowPart { width: row.width, start, end, is_shared: painted.candidates.len() > 1 };
+        let part = RowPart { width: row.width, start, end, has_depth };
         let sweep = solid.lathe().sweep(&rays, unit, row.origin_bound(), &part);
-        Self { painted, row, views: Views { first: direction, step: direction_step }, sweep }
+        let views = Views { first: direction, step: direction_step };
+        Self { rays: SolidRays { solid, row }, views, sweep }
     }
 
     /// Casts the ray of a column, which is that of the i-th pixel or of its mirror image, and tells the sweep
-    /// of a hit of its solid. Returns what the ray sees of this solid; `None` if it misses, or if another of
-    /// the candidates is nearer, or as near and before this one in the scene.
+    /// of a hit. Returns what the ray sees of the solid and at which t; `None` if it misses.
     #[inline(never)]
-    pub fn cast(&mut self, i: u32, column: u32) -> Option<Seen> {
-        let Painted { solid, candidates } = *self.painted;
-        let ray = self.ray(solid, column);
+    pub fn cast(&mut self, i: u32, column: u32) -> Option<(Seen, f32)> {
+        let SolidRays { solid, row } = self.rays;
+        let ray = solid.ray_into(&row.ray(column));
         let hit = nearest(solid, &ray)?;
         self.sweep.found(i, &hit);
-        let mut is_before = true;
-        for other in candidates {
-            if ptr::eq(other, solid) {
-                is_before = false;
-            } else if let Some(Hit { t, .. }) = nearest(other, &self.ray(other, column))
-                && (t < hit.t || is_before && t == hit.t)
-            {
-                return None;
-            }
-        }
-        Some(seen(solid, &ray, &hit))
+        Some((seen(solid, &ray, &hit), hit.t))
     }
+}
 
-    /// The ray of a column in a solid's own space.
+impl SolidRays<'_> {
+    /// The t at which a column's ray meets a solid first, this one or another; infinite if it misses.
     #[inline(never)]
-    fn ray(&self, solid: &Solid, column: u32) -> Ray {
-        solid.ray_into(&self.row.ray(column))
+    pub fn distance(&self, other: Option<&Solid>, column: u32) -> f32 {
+        let solid = other.unwrap_or(self.solid);
+        nearest(solid, &solid.ray_into(&self.row.ray(column))).map_or(f32::INFINITY, |hit| hit.t)
     }
 }
 

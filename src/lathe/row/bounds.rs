@@ -20,6 +20,9 @@ const TOLERANCE: f32 = 1.0 / 4096.0;
 /// at most.
 const ROOT: f32 = 1.0 / 524_288.0;
 
+/// What the additions of a run of tracked pixels do to g: a sixteenth of the tolerance, see `track.rs`.
+const ADDITIONS: f32 = TOLERANCE / 16.0;
+
 /// The largest tolerance of a row of any use: a quarter of the least square that the largest radius may have,
 /// which is 1.
 const MOST_TOLERANCE: f32 = 0.25;
@@ -41,9 +44,9 @@ pub(crate) struct RowPart {
     pub width: u32,
     pub start: u32,
     pub end: u32,
-    /// Whether another solid may hide this one: then the sweep certifies misses only, and leaves all others
-    /// to rays of their own.
-    pub is_shared: bool,
+    /// Whether distances are compared with those of other solids: then only roots are tracked whose distance
+    /// is well known, see [`RowBounds::depth_error`].
+    pub has_depth: bool,
 }
 
 /// What is known of all rays of a part of a row.
@@ -54,8 +57,6 @@ pub(super) struct RowBounds<'a> {
     /// Whether the bounds are of use. They are not if the rays spread too wide, begin too near the solid, or
     /// so far away that rounding decides; then every ray is cast by itself.
     pub is_usable: bool,
-    /// Whether roots are tracked: if the bounds are of use, and no other solid may be nearer.
-    pub may_track: bool,
     /// s = 0 is at `shift` times the direction on each ray. A distance t along a ray, times `unit`, is
     /// equal to `shift + s`.
     pub shift: f32,
@@ -75,11 +76,16 @@ pub(super) struct RowBounds<'a> {
     /// The least q/dz² of all rays. Along every ray g is concave in a segment whose own `convexity`, the
     /// bound of F″/2, is no more than this.
     pub max_convexity: f32,
-    /// Whether all rays rise, or all fall. `None` if there are some of both, or no roots are tracked.
+    /// Whether all rays rise, or all fall. `None` if there are some of both, or the bounds are of no use.
     pub rising: Option<bool>,
     /// How fast heights change from pixel to pixel: the largest |∂z/∂i| at any s within the span, divided by
     /// `SPANS·span`.
     pub drift: f32,
+    /// What rounding can do to a place: [`ROUNDING`] times the distance.
+    pub slip: f32,
+    /// The least slope, of a tracked root or of the ray at a cap, with which a distance is well enough known
+    /// to be compared: a quarter of the direction's length, or zero if none is compared.
+    pub least_slope: f32,
     /// What lies nearer than this to a decision, in g or in height, is not decided by the row.
     pub tolerance: f32,
     /// The slope that a tracked root must exceed: `2·√(q·tolerance) + 16·ROOT·Q`, Q a bound of |g″/2|.
@@ -149,7 +155,7 @@ impl<'a> RowBounds<'a> {
         let slope = slope + slip;
         let (low, high) = (greater(frame.low, height - slope), lesser(frame.high, height + slope));
         let is_culled = is_outside_ball || is_usable && low > high;
-        let is_mirrored = !is_culled && is_usable && !part.is_shared && {
+        let is_mirrored = !is_culled && is_usable && {
             // Pixels as far from the middle on either side see the same g at the same s, but for an eighth of
             // the rounding; the same heights, which count at the solid's ends; and the plane between them
             // passes the axis as near.
@@ -175,12 +181,13 @@ impl<'a> RowBounds<'a> {
         let longest = 2.25 * square;
         // A bound of |g″/2| along any of the rays.
         let most = longest + frame.curvature * (steep * steep);
-        let has_one_side = is_usable && !part.is_shared && d.z.abs() > half * d1.z.abs();
+        let has_one_side = is_usable && d.z.abs() > half * d1.z.abs();
+        let least_slope = if part.has_depth { 0.25 * Native::sqrt(longest) } else { 0.0 };
+        let slack = 2.0 * Native::sqrt(longest * tolerance) + 16.0 * ROOT * most;
         Self {
             lathe,
             is_culled,
             is_usable,
-            may_track: is_usable && !part.is_shared,
             shift,
             unit,
             middle,
@@ -193,10 +200,24 @@ impl<'a> RowBounds<'a> {
             max_convexity: q / (steep * steep),
             rising: has_one_side.then_some(d.z > 0.0),
             drift: drift / (SPANS * span),
+            slip,
+            least_slope,
             tolerance,
-            slack: 2.0 * Native::sqrt(longest * tolerance) + 16.0 * ROOT * most,
+            slack: greater(slack, least_slope),
             step_tolerance: ROOT / most,
         }
+    }
+}
+
+impl RowBounds<'_> {
+    /// How much the distance of a tracked root or of a cap, and that which a single ray finds, can differ, in
+    /// units of a ray's t, if slopes are at least [`RowBounds::least_slope`], A: by what rounding and a run's
+    /// additions do to g, over A, and by what Newton's last step leaves; both twice, once for the single ray.
+    /// A cap's distance is off by what its height is, over |dz|, which is at least A/4; and any distance by
+    /// the rounding of itself.
+    pub fn depth_error(&self) -> f32 {
+        let rounding = self.tolerance - TOLERANCE + ADDITIONS;
+        (2.0 * ROOT + 2.0 * rounding / self.least_slope + self.slip) / self.unit
     }
 }
 

@@ -20,6 +20,15 @@ impl Sweep<'_> {
         (to > i).then(|| Span::Cap { to, up: if is_rising { -1.0 } else { 1.0 } })
     }
 
+    /// The distance, in a ray's t, at which the i-th ray meets the plane of the upper end (`up` is 1) or of
+    /// the lower one (−1).
+    pub fn end_distance(&self, i: u32, up: f32) -> f32 {
+        let frame = self.bounds.lathe.frame;
+        let (m, d) = self.ray(i);
+        let z = if up > 0.0 { frame.high } else { frame.low };
+        self.scale().distance((z - m.z) / d.z)
+    }
+
     /// The first pixel from the i-th on, or the end, whose ray does not clearly pass through a cap, given the
     /// square of the cap's radius and whether it is the lower one, which rising rays meet first.
     #[inline(never)]
@@ -31,7 +40,8 @@ impl Sweep<'_> {
             let p = m + d * ((z - m.z) / d.z);
             // The flatter the ray, the farther rounding of its height moves the point: the tolerance counts
             // for dz = 1.
-            if !((square - dot_xy(p, p)) * d.z.abs() > self.bounds.tolerance) {
+            let is_clear = (square - dot_xy(p, p)) * d.z.abs() > self.bounds.tolerance;
+            if !(is_clear && 4.0 * d.z.abs() >= self.bounds.least_slope) {
                 break;
             }
             i += 1;

@@ -38,7 +38,7 @@ impl Sweep<'_> {
     }
 
     /// Probes the i-th ray, which no root is tracked for. If it may meet the solid, and it is known where,
-    /// begins to track that root, if roots are tracked.
+    /// begins to track that root.
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
@@ -50,7 +50,7 @@ impl Sweep<'_> {
         };
         if let Probe::MayMeet(start) = probe {
             self.root.start = start;
-            if let Some(start) = start.filter(|_| self.bounds.may_track) {
+            if let Some(start) = start {
                 self.root.begin(start);
                 self.root.tries = STEPS;
             }
@@ -98,10 +98,10 @@ impl Sweep<'_> {
     }
 
     /// A ray that was cast for the i-th pixel, or for its mirror image, meets the lathe: from there the root
-    /// is tracked, if roots are. The next pixel need not be probed: it most likely meets the lathe, too.
+    /// is tracked, if the bounds are of use. The next pixel need not be probed: it most likely meets the lathe, too.
     pub fn found(&mut self, i: u32, hit: &Hit) {
         self.root.probed = i + 1;
-        if hit.part == Part::Wall && self.bounds.may_track {
+        if hit.part == Part::Wall && self.bounds.is_usable {
             let s = hit.t * self.bounds.unit - self.bounds.shift;
             self.root.begin(RootStart { index: hit.segment, s, sign: if hit.enters { 1.0 } else { -1.0 } });
             self.root.tries = STEPS;

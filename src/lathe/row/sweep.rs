@@ -34,6 +34,21 @@ pub(crate) enum Span {
     Single,
 }
 
+/// How distances are counted: from a ray's origin, in its own unit.
+#[derive(Clone, Copy)]
+pub(crate) struct Scale {
+    shift: f32,
+    per_unit: f32,
+}
+
+impl Scale {
+    /// The t of a row's s.
+    #[inline(always)]
+    pub fn distance(self, s: f32) -> f32 {
+        (s + self.shift) * self.per_unit
+    }
+}
+
 /// One half of a row of rays at a lathe, then the other: what is known of all rays, which way pixels are
 /// counted, and the root that is tracked from ray to ray.
 pub(crate) struct Sweep<'a> {
@@ -174,6 +189,17 @@ impl Sweep<'_> {
     #[inline(always)]
     pub fn mirrored_column(&self, i: u32) -> u32 {
         self.bounds.middle - 1 - i
+    }
+
+    /// What turns s into a ray's t.
+    #[inline(always)]
+    pub fn scale(&self) -> Scale {
+        Scale { shift: self.bounds.shift, per_unit: 1.0 / self.bounds.unit }
+    }
+
+    /// A bound on the difference between the distances that the sweep hands over and those of single rays.
+    pub fn depth_error(&self) -> f32 {
+        self.bounds.depth_error()
     }
 
     /// A normal, in object space, of the plane that reflects the right half of the row into the left one;

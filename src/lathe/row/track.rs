@@ -21,11 +21,11 @@ impl Sweep<'_> {
         (i + MOST_PIXELS.min(self.direction.len - i)).min(self.root.certificate.until)
     }
 
-    /// Tracks the root from the i-th pixel on, up to another, and hands over what each pixel sees. Returns
-    /// the first pixel that sees none, `to` at most: tracking has ended there, and [`Sweep::next`] says what
+    /// Tracks the root from the i-th pixel on, up to another, and hands over what each pixel sees, and at
+    /// which s. Returns the first pixel that sees none, `to` at most: tracking has ended there, and [`Sweep::next`] says what
     /// follows.
     #[inline(always)]
-    pub fn track(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen)) -> u32 {
+    pub fn track(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen, f32)) -> u32 {
         let Self { bounds, root, .. } = &*self;
         let (segment, sign) = (root.segment, root.sign);
         let wall = Wall::new(segment, sign, bounds.lathe.frame.root_squash);
@@ -84,7 +84,7 @@ impl Sweep<'_> {
                     end = TrackEnd::Uncertified;
                     break 'pixels;
                 }
-                see(&wall.seen(x, y, u));
+                see(&wall.seen(x, y, u), sign * s);
                 break;
             }
             // The prediction is by second differences: the error of the last one is added to `bend`, the

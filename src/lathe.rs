@@ -78,11 +78,11 @@ impl<const N: usize> Lathe<[Segment; N]> {
         let len = profile.len;
         let largest = profile.largest();
         let scale = power_of_two_for(largest);
-        let middle = 0.5 * profile.spans[0].z + 0.5 * profile.spans[len - 1].top;
+        let middle = 0.5 * profile.pieces[0].z + 0.5 * profile.pieces[len - 1].top;
         let mut segments = [Segment::EMPTY; N];
         let mut i = 0;
         while i < len {
-            segments[i] = Segment::new(&profile.spans[i], middle, scale);
+            segments[i] = Segment::new(&profile.pieces[i], middle, scale);
             i += 1;
         }
         let mut i = 0;

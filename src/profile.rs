@@ -16,7 +16,7 @@ use steps::{Counts, is_step};
 /// bⱼ·Bⱼ³(u)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct Span {
+pub(crate) struct ProfilePiece {
     /// The height of the lower knot.
     pub z: f32,
     /// The height of the upper knot.
@@ -130,7 +130,7 @@ pub enum End {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Profile<const N: usize> {
-    pub(crate) spans: [Span; N],
+    pub(crate) pieces: [ProfilePiece; N],
     /// How many of the array's pieces are the profile's, from the lowest up.
     pub(crate) len: usize,
     /// The factor k on x².
@@ -188,7 +188,7 @@ impl<const N: usize> Profile<N> {
         if !(above >= 0.0) {
             return Err(ProfileError::Negative { segment: len - 1, height: knots[last], square: above });
         }
-        let mut spans = [Span::EMPTY; N];
+        let mut pieces = [ProfilePiece::EMPTY; N];
         let (mut i, mut j, mut knot) = (0, 0, 1);
         while knot <= last {
             let (z, top) = (knots[knot - 1], knots[knot]);
@@ -199,8 +199,8 @@ impl<const N: usize> Profile<N> {
                 j += 1;
             } else if top > z {
                 let b = [ordinates[j], ordinates[j + 1], ordinates[j + 2], ordinates[j + 3]];
-                spans[i] = match Span::new(i, z, top, b) {
-                    Ok(span) => span,
+                pieces[i] = match ProfilePiece::new(i, z, top, b) {
+                    Ok(piece) => piece,
                     Err(error) => return Err(error),
                 };
                 (i, j) = (i + 1, j + 3);
@@ -209,18 +209,18 @@ impl<const N: usize> Profile<N> {
             }
             knot += 1;
         }
-        Self::of(spans, len, below, above)
+        Self::of(pieces, len, below, above)
     }
 
-    /// A profile whose segments are the first `len` of `spans`, each on top of the one before, with the
+    /// A profile whose segments are the first `len` of `pieces`, each on top of the one before, with the
     /// squared radii beyond its ends.
     ///
     /// # Errors
     ///
     /// [`ProfileError`] if the profile is too large, too small or too high, or if one of its segments is too
     /// low.
-    const fn of(spans: [Span; N], len: usize, below: f32, above: f32) -> Result<Self, ProfileError> {
-        let profile = Self { spans, len, squash: 1.0, below, above };
+    const fn of(pieces: [ProfilePiece; N], len: usize, below: f32, above: f32) -> Result<Self, ProfileError> {
+        let profile = Self { pieces, len, squash: 1.0, below, above };
         let wall = Self { below: 0.0, above: 0.0, ..profile }.largest();
         if !(wall >= 1e-30) {
             return Err(ProfileError::Size { square: wall });
@@ -239,7 +239,7 @@ impl<const N: usize> Profile<N> {
         let radius = const_fn::sqrt(largest);
         let (mut i, mut knot, mut before) = (0, 0, below);
         while i < len && i < N {
-            let Span { z, top, b: [b0, .., b3], .. } = spans[i];
+            let ProfilePiece { z, top, b: [b0, .., b3], .. } = pieces[i];
             // One knot more, or two where a step stands at the lower one.
             knot += if before == b0 { 1 } else { 2 };
             before = b3;
@@ -306,7 +306,7 @@ impl<const N: usize> Profile<N> {
         let (mut heights, mut i) = ([0.0; 2], 0);
         // `i < len` implies `i < N`; from the latter the compiler knows that the index is in bounds.
         while i < self.len && i < N {
-            heights = [if i == 0 { self.spans[i].z } else { heights[0] }, self.spans[i].top];
+            heights = [if i == 0 { self.pieces[i].z } else { heights[0] }, self.pieces[i].top];
             i += 1;
         }
         heights
@@ -316,7 +316,7 @@ impl<const N: usize> Profile<N> {
     const fn ends(&self) -> [f32; 2] {
         let (mut ends, mut i) = ([0.0; 2], 0);
         while i < self.len && i < N {
-            let [b0, .., b3] = self.spans[i].b;
+            let [b0, .., b3] = self.pieces[i].b;
             ends = [if i == 0 { b0 } else { ends[0] }, b3];
             i += 1;
         }
@@ -334,7 +334,7 @@ impl<const N: usize> Profile<N> {
     pub(crate) const fn largest(&self) -> f32 {
         let (mut largest, mut i) = (self.below.max(self.above), 0);
         while i < self.len && i < N {
-            largest = self.spans[i].largest.max(largest);
+            largest = self.pieces[i].largest.max(largest);
             i += 1;
         }
         largest
@@ -351,7 +351,7 @@ impl End {
     }
 }
 
-impl Span {
+impl ProfilePiece {
     /// What stands in the array behind the last piece.
     pub const EMPTY: Self = Self { z: 0.0, top: 0.0, b: [0.0; 4], largest: 0.0, narrowest: 0.0 };
 

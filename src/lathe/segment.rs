@@ -1,7 +1,7 @@
 //! One segment of a lathe: its cubic, and bounds on it.
 
 use crate::math::minmax::{greater, lesser};
-use crate::profile::Span;
+use crate::profile::ProfilePiece;
 
 /// One segment of a lathe: a cubic piece of the profile, prepared for rays.
 /// [`Lathe::turn`](crate::Lathe::turn) makes it.
@@ -78,11 +78,11 @@ impl Segment {
 
     /// A segment in the frame, given its piece of the profile, the height of the frame's origin and the
     /// frame's scale. It has no slope jump yet.
-    pub(super) const fn new(span: &Span, middle: f32, scale: f32) -> Self {
+    pub(super) const fn new(piece: &ProfilePiece, middle: f32, scale: f32) -> Self {
         let square = scale * scale;
-        let [b0, b1, b2, b3] = span.b;
+        let [b0, b1, b2, b3] = piece.b;
         let b = [b0 * square, b1 * square, b2 * square, b3 * square];
-        let (low, high) = ((span.z - middle) * scale, (span.top - middle) * scale);
+        let (low, high) = ((piece.z - middle) * scale, (piece.top - middle) * scale);
         let per_height = 1.0 / (high - low);
         let f = crate::cubic::Cubic::from_bernstein(b).c;
         let [_, _, c2, c3] = f;
@@ -92,8 +92,8 @@ impl Segment {
             per_height,
             f,
             b,
-            narrowest: low + span.narrowest * (high - low),
-            bounding_square: widened(span.largest * square),
+            narrowest: low + piece.narrowest * (high - low),
+            bounding_square: widened(piece.largest * square),
             // The second derivative of a cubic is linear, and so largest at an end.
             convexity: greater_or_nan(c2, c2 + 3.0 * c3) * per_height * per_height,
             slope_jump: 0.0,

@@ -1,12 +1,12 @@
-//! Profiles through points of height and radius, as a table or a ruler gives them.
+//! Profiles through points of height and radius, such as a table or a measurement gives.
 
-use super::{Profile, ProfileError, Span};
+use super::{Profile, ProfileError, ProfilePiece};
 
 /// A height and the radius there.
 type Point = (f32, f32);
 
-/// An end of a segment: its squared radius, and a third of what that would rise by over the segment's height at
-/// the slope that it has there.
+/// An end of a segment: the squared radius there, and a third of its derivative by u. The two give the
+/// ordinate at the end and the one next to it.
 #[derive(Clone, Copy)]
 struct Side {
     square: f32,
@@ -17,13 +17,14 @@ impl<const N: usize> Profile<N> {
     /// A smooth profile through points of height and radius, from the lowest up. It has a segment between each two
     /// of different heights, N at most.
     ///
-    /// Between two points the radius only grows or only shrinks, as the points do: it never overshoots. A
-    /// point that stands twice is a corner. Two points at one height with different radii are a step. An end
-    /// that is no step is open; on the axis, at radius 0, it is round, and pointed if its point stands twice. Between
-    /// two corners with no point between lies a straight line.
+    /// Between two points the radius only grows or only shrinks: it never overshoots the points' radii. A
+    /// point given twice is a corner. Two points of the same height and different radii are a step. An end
+    /// without a step is open. An end on the axis, at radius 0, is round, or pointed if its point is given
+    /// twice. Between two corners without a point between them the outline is a straight line.
     ///
-    /// Points on a cone, a sphere or any other quadric give that quadric, if there are three or more of them
-    /// between corners, poles counted, and the segments at a pole are no higher than to the equator.
+    /// Points on a cone, a sphere or any other quadric give that quadric, if there are at least three of them
+    /// from corner to corner (a pole counts as one), and if a segment at a pole does not extend beyond the
+    /// equator.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, Segment, valid};
@@ -40,13 +41,15 @@ impl<const N: usize> Profile<N> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError::Radius`] names a point whose radius is negative, infinite or NaN; the others are those of
-    /// [`Profile::from_squared_radii`], with points that stand twice counted once among the knots.
+    /// [`ProfileError::Radius`] names a point whose radius is negative, infinite or NaN. The other errors are
+    /// those of [`Profile::from_squared_radii`]; in the numbers of their knots a point given twice counts
+    /// once.
     pub const fn through(points: &[Point]) -> Result<Self, ProfileError> {
         Self::join(points, false)
     }
 
-    /// The same with straight lines between the points: every one of them is a corner.
+    /// A profile of straight lines between points of height and radius, from the lowest up: every point is a
+    /// corner.
     ///
     /// ```
     /// use embedded_lathe::Profile;
@@ -58,11 +61,12 @@ impl<const N: usize> Profile<N> {
     ///
     /// # Errors
     ///
-    /// As [`Profile::through`].
+    /// The errors are those of [`Profile::through`].
     pub const fn straight(points: &[Point]) -> Result<Self, ProfileError> {
         Self::join(points, true)
     }
 
+    /// The profile through points, with straight lines between them or smooth.
     const fn join(points: &[Point], straight: bool) -> Result<Self, ProfileError> {
         let (mut segments, mut i, mut knot) = (0, 0, 0);
         while i < points.len() {
@@ -97,14 +101,14 @@ impl<const N: usize> Profile<N> {
         if segments > N {
             return Err(ProfileError::TooManySegments { segments, capacity: N });
         }
-        let mut spans = [Span::EMPTY; N];
+        let mut pieces = [ProfilePiece::EMPTY; N];
         let (mut i, mut len) = (0, 0);
         while i + 1 < points.len() && len < N {
             if points[i + 1].0 > points[i].0 {
                 let [low, high] = if straight { line(points, i) } else { smooth(points, i) };
                 let b = [low.square, low.square + low.third, high.square - high.third, high.square];
-                spans[len] = match Span::new(len, points[i].0, points[i + 1].0, b) {
-                    Ok(span) => span,
+                pieces[len] = match ProfilePiece::new(len, points[i].0, points[i + 1].0, b) {
+                    Ok(piece) => piece,
                     Err(error) => return Err(error),
                 };
                 len += 1;
@@ -112,7 +116,7 @@ impl<const N: usize> Profile<N> {
             i += 1;
         }
         let (first, last) = (points[0].1, points[points.len() - 1].1);
-        Self::of(spans, len, first * first, last * last)
+        Self::of(pieces, len, first * first, last * last)
     }
 }
 
@@ -121,25 +125,26 @@ const fn are_one(points: &[Point], i: usize) -> bool {
     i + 1 < points.len() && points[i].0 == points[i + 1].0 && points[i].1 == points[i + 1].1
 }
 
-/// Whether a point stands above or below the one before it, at another radius.
+/// Whether a point has the height of the one before it, but another radius.
 const fn is_step(points: &[Point], i: usize) -> bool {
     i > 0 && points[i].0 == points[i - 1].0 && points[i].1 != points[i - 1].1
 }
 
-/// A straight line between a point and the next one: `r = r₀·(1 − u) + r₁·u`, squared.
+/// The ends of the segment between a point and the next one, as a straight line: the square of `r = r₀·(1 −
+/// u) + r₁·u`.
 const fn line(points: &[Point], i: usize) -> [Side; 2] {
     let (r0, r1) = (points[i].1, points[i + 1].1);
     let two_thirds = 2.0 / 3.0 * (r1 - r0);
     [Side { square: r0 * r0, third: two_thirds * r0 }, Side { square: r1 * r1, third: two_thirds * r1 }]
 }
 
-/// The segment between a point and the next one, its slopes those of Steffen's monotone interpolation of the
-/// squared radius (Astronomy and Astrophysics 239, 1990).
+/// The ends of the segment between a point and the next one, with the slopes of Steffen's monotone
+/// interpolation of the squared radius (Astronomy and Astrophysics 239, 1990).
 const fn smooth(points: &[Point], i: usize) -> [Side; 2] {
     // A corner, a step or an end is where no other segment continues this one.
     let continues =
         [i > 0 && points[i - 1].0 < points[i].0, i + 2 < points.len() && points[i + 1].0 < points[i + 2].0];
-    // An end on the axis that stands there once is round.
+    // An end on the axis whose point is given once is round.
     let round = [i == 0 && points[i].1 == 0.0, i + 2 == points.len() && points[i + 1].1 == 0.0];
     if !continues[0] && !continues[1] && !round[0] && !round[1] {
         return line(points, i);
@@ -155,7 +160,7 @@ const fn smooth(points: &[Point], i: usize) -> [Side; 2] {
         let below = Rise::of(points, i - 1);
         [below.joined(here), here.free(below, points[i + 1].1 == 0.0, round[1])]
     } else {
-        // One segment alone, with a round pole: a paraboloid.
+        // A segment alone, with a round pole, is a paraboloid.
         [here.slope, here.slope]
     };
     let (r0, r1) = (points[i].1, points[i + 1].1);
@@ -168,11 +173,14 @@ const fn smooth(points: &[Point], i: usize) -> [Side; 2] {
 /// How the squared radius changes from a point to the next one.
 #[derive(Clone, Copy)]
 struct Rise {
+    /// The difference of the heights.
     height: f32,
+    /// The difference of the squared radii, divided by `height`.
     slope: f32,
 }
 
 impl Rise {
+    /// The change from point i to point i + 1.
     const fn of(points: &[Point], i: usize) -> Self {
         let ((z0, r0), (z1, r1)) = (points[i], points[i + 1]);
         let height = z1 - z0;

@@ -30,22 +30,23 @@ const SORTED: usize = 8;
 /// The order in which solids are painted, and which of them are compared by their distances, pixel by pixel:
 /// computed once for a picture.
 ///
-/// Most are painted one over the other. Those between which, in this order, no plane is found, and those
-/// ranked between them, are one block, which is painted with a depth for each pixel, in the order of the
-/// slice: of two at the same distance the first is seen. More than [`SORTED`] solids are all such a block.
+/// The farthest solids come first, and each is painted over those before it. Where no plane is found between
+/// two solids, they and those ranked between them belong to the block. There is one block at most. It is
+/// painted with a distance for each pixel, in the order of the slice, so that of two solids at the same
+/// distance the first is seen. If there are more than [`SORTED`] solids, all are in the block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct PaintOrder {
     /// The indices of the first [`SORTED`] solids, 0 to 7 in four bits each, that of the first in the lowest.
     indices: u32,
-    /// The ranks of the block: from `block` to before `beyond`.
+    /// The ranks of the block are those from `block` to before `beyond`; none if there is no block.
     pub block: usize,
     pub beyond: usize,
 }
 
 impl PaintOrder {
-    /// The order of solids that a camera sees: the farthest first, and of two at the same distance the first
-    /// in the slice; but within the block in the order of the slice.
+    /// The order for the solids of a slice and a camera: the farthest first, and of two at the same distance
+    /// the first in the slice. Within the block it is the order of the slice.
     #[inline(never)]
     pub const fn of(solids: &[Solid], camera: &Camera) -> Self {
         let mut order = Self { indices: 0x7654_3210, block: 0, beyond: solids.len() };
@@ -70,21 +71,23 @@ impl PaintOrder {
         order
     }
 
-    /// The index of the solid that is painted as number `rank`, from 0 on.
+    /// The index, in the slice, of the solid with a rank: 0 is painted first. If the slice has no solid of
+    /// that rank, the index is not in the slice either.
     #[inline]
     pub const fn index(&self, rank: usize) -> usize {
         if rank < SORTED { (self.indices >> (4 * rank)) as usize & 7 } else { rank }
     }
 
-    /// Whether a plane is found between the solids of two ranks, so that the first hides nothing of the other.
+    /// Whether a plane is found between the solids of two ranks, so that the one of rank `far` hides nothing
+    /// of the other.
     #[inline(never)]
     const fn is_parted(&self, solids: &[Solid], camera: &Camera, far: usize, near: usize) -> bool {
         let (far, near) = (self.index(far), self.index(near));
         far < solids.len() && near < solids.len() && camera.sees_behind(&solids[far], &solids[near])
     }
 
-    /// Sorts the ranks from `from` to before `to` by falling distances of their solids, and where there are
-    /// no solids, or two are at the same distance, by their indices: by insertion.
+    /// Sorts the ranks from `from` to before `to`, by insertion: the farthest solid first, and of two at the
+    /// same distance the one with the lower index. If `solids` is empty, the order is that of the indices.
     const fn sort(&mut self, solids: &[Solid], camera: &Camera, from: usize, to: usize) {
         let mut next = from + 1;
         while next < to {

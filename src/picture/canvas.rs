@@ -1,6 +1,7 @@
 //! The pixels that one solid is painted on.
 //!
-//! `D` is what decides which pixels show it: all that see it, or those where it is the nearest.
+//! The type `D` decides which of the pixels that see the solid show it: all, or those where it is the
+//! nearest.
 
 use super::depth::{Depth, Distance};
 use super::solid_row::SolidRow;
@@ -24,7 +25,8 @@ pub(super) struct Canvas<'a, C, D> {
 }
 
 impl<'a, C: Paint, D: Depth> Canvas<'a, C, D> {
-    /// The pixels `run`, which begin in column x of row y, for a solid along them with the given material.
+    /// The pixels `run`, the first of which is in column x of row y, to paint a solid on: `finish` is its
+    /// material, `along` the solid along these pixels.
     #[inline(always)]
     pub fn new(
         finish: Finish,

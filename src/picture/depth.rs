@@ -1,5 +1,5 @@
-//! Which of several solids that no plane separates a pixel shows: the nearest, by the distances that their
-//! sweeps know.
+//! Which of several solids a pixel shows if no plane separates them: the nearest, by the distances that their
+//! sweeps find.
 
 use super::solid_row::{SolidRays, SolidRow};
 use crate::math::cold_path;
@@ -7,29 +7,30 @@ use crate::math::minmax::{greater, lesser};
 use crate::occlusion::PaintOrder;
 use crate::solid::Solid;
 
-/// The distance at which a ray sees a solid, in its t.
+/// The distance at which a ray meets a solid: the ray's t.
 #[derive(Clone, Copy)]
 pub(super) enum Distance {
-    /// As a sweep knows it, to within [`Sweep::depth_error`](crate::lathe::Sweep::depth_error).
+    /// As a sweep finds it, to within [`Sweep::depth_error`](crate::lathe::Sweep::depth_error).
     Swept(f32),
-    /// As the pixel's own ray has found it.
+    /// As a single ray finds it.
     Cast(f32),
 }
 
 /// What decides whether a pixel shows the solid that is being painted, or what was painted before.
 pub(super) trait Depth {
-    /// Whether distances count: if not, they need not be right.
+    /// Whether distances are used. If not, any number may be given.
     const COUNTS: bool;
 
-    /// Begins with another solid.
+    /// Begins with the next solid.
     fn begin(&mut self, along: &SolidRow);
 
-    /// Whether the pixel of the given column, number `at` of those that are painted on, shows the solid,
-    /// which is that far away. If so it is the nearest from now on.
+    /// Whether a pixel shows the solid, of which its ray sees a point at `distance`. `at` is the pixel's
+    /// index in the run that is painted on. If it does, the solid counts as the nearest at this pixel from
+    /// here on.
     fn shows(&mut self, rays: &SolidRays, at: usize, column: u32, distance: Distance) -> bool;
 }
 
-/// Nothing that was painted before hides this solid.
+/// No solid that was painted before hides this one: every pixel that sees it shows it.
 pub(super) struct Over;
 
 impl Depth for Over {
@@ -44,16 +45,18 @@ impl Depth for Over {
     }
 }
 
-/// The distances of what was painted before, pixel by pixel.
+/// The distances of what was painted before, for each pixel of a run.
 pub(super) struct Depths<'a> {
-    /// As found by a sweep, or, negative, by the pixel's own ray; infinite where there is none.
+    /// The distance of the nearest solid so far. It is positive if a sweep has found it, negated if single
+    /// rays have, and infinite if there is none.
     pub nearest: &'a mut [f32],
-    /// The solids painted on these pixels: those ranked from `first` to before `rank` before, now `rank`.
+    /// The solids of the scene. In `order`, those ranked from `first` to before `rank` have been painted, and
+    /// the one ranked `rank` is being painted.
     pub solids: &'a [Solid<'a>],
     pub order: &'a PaintOrder,
     pub first: usize,
     pub rank: usize,
-    /// The largest error of a distance that a sweep found, of this solid and of those before.
+    /// A bound of the error of any distance that a sweep has found, for this solid and those before it.
     pub error: f32,
 }
 
@@ -84,11 +87,12 @@ impl Depth for Depths<'_> {
 }
 
 impl Depths<'_> {
-    /// As [`Depth::shows`], where the distances are too near to each other: by those that the pixel's own ray
-    /// finds. Of two at the same distance the one painted before is shown, the first in the slice.
+    /// Does what [`Depth::shows`] does where the two distances are too close for their errors: it compares
+    /// those that single rays find. If they are equal, the pixel shows what was painted before, which is the
+    /// first in the slice.
     ///
-    /// Then the pixel has a distance that its own ray found: whatever else is near there, the solids before
-    /// are cast at once only.
+    /// Afterwards the pixel's distance is one that single rays have found. So for another solid that comes as
+    /// near, those before it are not cast again.
     #[cold]
     #[inline(never)]
     fn compare(&mut self, rays: &SolidRays, at: usize, column: u32, distance: Distance) -> bool {

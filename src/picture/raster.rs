@@ -18,8 +18,8 @@ use crate::solid::Solid;
 /// widths, 240 and 320, and is a multiple of 8, the period of the dithering.
 pub(crate) const RUN: usize = 40;
 
-/// How many pixels have their distances in memory at once: a whole row of the usual displays, so that halves
-/// of a row that are mirror images are found once.
+/// For how many pixels at most distances are kept in memory at once. These are a whole row of the usual
+/// displays: if the two halves of a row are mirror images, only one is swept.
 const MOST_DEPTHS: usize = 240;
 
 /// The parts of a scene, the size of its picture in pixels, and the order in which its solids are painted.
@@ -53,7 +53,7 @@ impl Raster<'_> {
         let mut rank = 0;
         while let Some(solid) = self.solids.get(self.order.index(rank)) {
             if rank == self.order.block {
-                // The smaller of two memories: what is drawn run by run has little stack to spare.
+                // A short part gets the smaller memory: a scene that is drawn run by run has little stack.
                 let paint =
                     if part.len() > RUN { Self::block::<C, MOST_DEPTHS> } else { Self::block::<C, RUN> };
                 paint(self, &row, x, part);
@@ -65,8 +65,8 @@ impl Raster<'_> {
         }
     }
 
-    /// Paints the solids that are compared by their distances, each row in pieces of N pixels at most, all as
-    /// long. Apart: what is drawn without them carries no memory for distances.
+    /// Paints the solids of the block on `part`, in pieces of equal length, N pixels at most. This function
+    /// is not inlined, so that scenes without a block keep no memory for distances on the stack.
     #[cold]
     #[inline(never)]
     fn block<C: Paint, const N: usize>(&self, row: &Row, x: u32, part: &mut [C]) {
@@ -77,7 +77,8 @@ impl Raster<'_> {
         }
     }
 
-    /// Paints those solids on a piece of a row, with memory for its pixels' distances.
+    /// Paints the solids of the block on a piece of a row. `nearest` is memory for the distances, for as many
+    /// pixels at least.
     #[inline(never)]
     fn by_depth<C: Paint>(&self, row: &Row, x: u32, part: &mut [C], nearest: &mut [f32]) {
         nearest.fill(f32::INFINITY);
@@ -101,7 +102,8 @@ impl Raster<'_> {
         }
     }
 
-    /// Paints a solid on `run`, which begins in column x, where it is not hidden by what that holds already.
+    /// Paints a solid on the pixels of `run` that see it and that `depth` says show it. `run` begins in
+    /// column x.
     #[inline(never)]
     fn solid<C: Paint, D: Depth>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depth: &mut D) {
         let mut along = SolidRow::new(solid, row, (x, x + run.len() as u32), D::COUNTS);

@@ -23,8 +23,8 @@ pub(super) struct SolidRays<'a> {
 }
 
 impl<'a> SolidRow<'a> {
-    /// Sets up the columns from `start` to before `end` of a row. `has_depth` says whether distances are
-    /// compared with those of other solids.
+    /// Sets up a solid's sweep along the columns of a row from `start` to before `end`. `has_depth` is
+    /// whether distances are compared with those of other solids.
     #[inline(never)]
     pub fn new(solid: &'a Solid<'a>, row: &'a Row<'a>, (start, end): (u32, u32), has_depth: bool) -> Self {
         let Ray { origin, direction, unit } = solid.ray_into(&row.ray(0));
@@ -62,8 +62,8 @@ impl SolidRays<'_> {
     }
 }
 
-/// The first hit of a solid by a ray in its own space, by the traversal that a single ray takes, too: what
-/// the sweep leaves undecided is decided as by [`Solid::nearest`].
+/// The first hit of a solid by a ray in the solid's own space, or `None`. It is found as [`Solid::nearest`]
+/// finds it, so that where the sweep is undecided both agree.
 #[inline(never)]
 fn nearest(solid: &Solid, ray: &Ray) -> Option<Hit> {
     solid.lathe().nearest_by::<Newton>(ray, 0.0)
@@ -73,8 +73,8 @@ fn nearest(solid: &Solid, ray: &Ray) -> Option<Hit> {
 #[inline(never)]
 fn seen(solid: &Solid, ray: &Ray, hit: &Hit) -> Seen {
     let gradient = solid.lathe().gradient_at(ray.point(hit.t), hit);
-    // Of very flat or very tall profiles the gradient's square overflows or vanishes: its largest component
-    // becomes 1.
+    // The gradient is scaled so that its largest component is 1: for very flat or very tall profiles its
+    // square would overflow or underflow.
     let side = if hit.enters { 1.0 } else { -1.0 };
     Seen::new(gradient * (side / largest(gradient)))
 }

@@ -20,11 +20,12 @@ const TOLERANCE: f32 = 1.0 / 4096.0;
 /// at most.
 const ROOT: f32 = 1.0 / 524_288.0;
 
-/// What the additions of a run of tracked pixels do to g: a sixteenth of the tolerance, see `track.rs`.
+/// A bound of what the additions of a run of tracked pixels can do to g: a sixteenth of the tolerance, see
+/// `track.rs`.
 const ADDITIONS: f32 = TOLERANCE / 16.0;
 
-/// The largest tolerance of a row of any use: a quarter of the least square that the largest radius may have,
-/// which is 1.
+/// A row whose tolerance is not less than this is of no use. It is a quarter of 1, the least that the square
+/// of the largest radius can be.
 const MOST_TOLERANCE: f32 = 0.25;
 
 /// The factor by which the ball around the solid is enlarged, so that a ray outside of it misses by more than
@@ -44,8 +45,8 @@ pub(crate) struct RowPart {
     pub width: u32,
     pub start: u32,
     pub end: u32,
-    /// Whether distances are compared with those of other solids: then only roots are tracked whose distance
-    /// is well known, see [`RowBounds::depth_error`].
+    /// Whether distances are compared with those of other solids. If so, a root is tracked, or a cap's pixel
+    /// decided, only where the distance is known to within [`RowBounds::depth_error`].
     pub has_depth: bool,
 }
 
@@ -54,11 +55,11 @@ pub(super) struct RowBounds<'a> {
     pub lathe: View<'a>,
     /// Whether none of the rays comes near the solid.
     pub is_culled: bool,
-    /// Whether the bounds are of use. They are not if the rays spread too wide, begin too near the solid, or
-    /// so far away that rounding decides; then every ray is cast by itself.
+    /// Whether the bounds are of use. They are not if the lathe has rings, or if the rays spread too wide,
+    /// begin too near the solid, or begin so far away that rounding decides. Then every pixel gets a *single
+    /// ray*.
     pub is_usable: bool,
-    /// s = 0 is at `shift` times the direction on each ray. A distance t along a ray, times `unit`, is
-    /// equal to `shift + s`.
+    /// What relates s to the distance t from a ray's origin: `unit·t = shift + s`.
     pub shift: f32,
     pub unit: f32,
     /// The column that the right half begins with, the number of columns of the left half, and whether the
@@ -76,17 +77,21 @@ pub(super) struct RowBounds<'a> {
     /// The least q/dz² of all rays. Along every ray g is concave in a segment whose own `convexity`, the
     /// bound of F″/2, is no more than this.
     pub max_convexity: f32,
-    /// Whether all rays rise, or all fall. `None` if there are some of both, or the bounds are of no use.
+    /// True if all rays rise, false if all fall. `None` if neither is certain, or if the bounds are of no
+    /// use.
     pub rising: Option<bool>,
     /// How fast heights change from pixel to pixel: the largest |∂z/∂i| at any s within the span, divided by
     /// `SPANS·span`.
     pub drift: f32,
-    /// What rounding can do to a place: [`ROUNDING`] times the distance.
+    /// How far rounding can move a point: [`LENGTH_TOLERANCE`] times the sum of the eye's distance and the
+    /// solid's size.
     pub slip: f32,
-    /// The least slope, of a tracked root or of the ray at a cap, with which a distance is well enough known
-    /// to be compared: a quarter of the direction's length, or zero if none is compared.
+    /// The least slope A of a tracked root whose distance may be compared with another solid's: a quarter of
+    /// the length of the longest direction. At a cap |dz| must be A/4 at least. Zero if distances are not
+    /// compared.
     pub least_slope: f32,
-    /// What lies nearer than this to a decision, in g or in height, is not decided by the row.
+    /// The half-width of the *undecided band*, in g and in height: the row decides nothing where g is nearer
+    /// to zero than this, or a height nearer to an end.
     pub tolerance: f32,
     /// The slope that a tracked root must exceed: `2·√(q·tolerance) + 16·ROOT·Q`, Q a bound of |g″/2|.
     ///
@@ -143,8 +148,9 @@ impl<'a> RowBounds<'a> {
         let q = dot_xy(d, d) - 2.0 * half * dot_xy(d, d1).abs();
         let steep = d.z.abs() + half * d1.z.abs();
         let drift = m1.z.abs() + span * d1.z.abs();
-        // Of use: if no ray is shorter than half the one half way, so that no bound is more than doubled by
-        // the spread; if the eye is outside the span; and if rounding leaves something to decide.
+        // The bounds are of use if no direction is shorter than half the middle one, so that the spread of
+        // the rays no more than doubles a bound; if the eye is outside the span; and if the tolerance is
+        // small.
         let is_usable = !frame.has_rings
             && least > 0.25 * square
             && q > 0.0
@@ -156,9 +162,9 @@ impl<'a> RowBounds<'a> {
         let (low, high) = (greater(frame.low, height - slope), lesser(frame.high, height + slope));
         let is_culled = is_outside_ball || is_usable && low > high;
         let is_mirrored = !is_culled && is_usable && {
-            // Pixels as far from the middle on either side see the same g at the same s, but for an eighth of
-            // the rounding; the same heights, which count at the solid's ends; and the plane between them
-            // passes the axis as near.
+            // Two pixels at the same distance from the middle on either side must agree, to an eighth of the
+            // rounding: in g at the same s; in the height, which counts at the solid's ends; and in how near
+            // the plane between them passes the axis.
             let asymmetry = 8.0 * asymmetry(rays, span, drift * (1.0 + frame.max_slope));
             frame.squash == 1.0
                 && (part.end - part.start).is_multiple_of(2)
@@ -210,20 +216,22 @@ impl<'a> RowBounds<'a> {
 }
 
 impl RowBounds<'_> {
-    /// How much the distance of a tracked root or of a cap, and that which a single ray finds, can differ, in
-    /// units of a ray's t, if slopes are at least [`RowBounds::least_slope`], A: by what rounding and a run's
-    /// additions do to g, over A, and by what Newton's last step leaves; both twice, once for the single ray.
-    /// A cap's distance is off by what its height is, over |dz|, which is at least A/4; and any distance by
-    /// the rounding of itself.
+    /// A bound of the difference, in t, between the distance of a tracked root or of a cap and the distance
+    /// that a single ray finds there. Slopes are to be at least A, see [`RowBounds::least_slope`].
+    ///
+    /// The distance of a root is off by the error of g, from rounding and a run's additions, divided by A,
+    /// and by what the last step of Newton's method leaves. Both count twice, for the single ray has them as
+    /// well. The distance of a cap is off by the error of its height divided by |dz|, which is A/4 at least.
+    /// In addition every distance is rounded itself.
     pub fn depth_error(&self) -> f32 {
         let rounding = self.tolerance - TOLERANCE + ADDITIONS;
         (2.0 * ROOT + 2.0 * rounding / self.least_slope + self.slip) / self.unit
     }
 }
 
-/// How much g can differ, at the same s within the span, between the rays a pixel before the one half way and
-/// a pixel after it; `drop` bounds how much F differs. For n pixels before and after it is n times as much:
-/// x² + y² is quadratic in the pixel's number, and only its linear term differs.
+/// A bound of the difference of g, at the same s within the span, between the rays one pixel before the
+/// middle and one pixel after it; `drop` bounds how much F differs. For n pixels before and after it is n
+/// times as much: x² + y² is quadratic in the pixel's number, and only its linear term differs.
 #[inline(always)]
 fn asymmetry(rays: &RayRow, span: f32, drop: f32) -> f32 {
     let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *rays;

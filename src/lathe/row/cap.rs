@@ -20,8 +20,8 @@ impl Sweep<'_> {
         (to > i).then(|| Span::Cap { to, up: if is_rising { -1.0 } else { 1.0 } })
     }
 
-    /// The distance, in a ray's t, at which the i-th ray meets the plane of the upper end (`up` is 1) or of
-    /// the lower one (−1).
+    /// The t at which the i-th ray meets the plane of the upper end, if `up` is 1, or of the lower end, if it
+    /// is −1.
     pub fn end_distance(&self, i: u32, up: f32) -> f32 {
         let frame = self.bounds.lathe.frame;
         let (m, d) = self.ray(i);
@@ -29,8 +29,9 @@ impl Sweep<'_> {
         self.scale().distance((z - m.z) / d.z)
     }
 
-    /// The first pixel from the i-th on, or the end, whose ray does not clearly pass through a cap, given the
-    /// square of the cap's radius and whether it is the lower one, which rising rays meet first.
+    /// The first pixel, from the i-th on, whose ray does not clearly pass through a cap, or the number of
+    /// pixels if there is none. `square` is that of the cap's radius. The cap is that of the lower end if the
+    /// rays rise, of the upper end if they fall.
     #[inline(never)]
     fn cap_until(&self, mut i: u32, square: f32, is_rising: bool) -> u32 {
         let frame = self.bounds.lathe.frame;
@@ -38,8 +39,8 @@ impl Sweep<'_> {
         while i < self.direction.len {
             let (m, d) = self.ray(i);
             let p = m + d * ((z - m.z) / d.z);
-            // The flatter the ray, the farther rounding of its height moves the point: the tolerance counts
-            // for dz = 1.
+            // An error of the height moves the point by 1/|dz| times as much: so the flatter the ray, the
+            // farther from the rim the point has to be. The tolerance is meant for |dz| = 1.
             let is_clear = (square - dot_xy(p, p)) * d.z.abs() > self.bounds.tolerance;
             if !(is_clear && 4.0 * d.z.abs() >= self.bounds.least_slope) {
                 break;

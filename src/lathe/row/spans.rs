@@ -37,8 +37,8 @@ impl Sweep<'_> {
         }
     }
 
-    /// Probes the i-th ray, which no root is tracked for. If it may meet the solid, and it is known where,
-    /// begins to track that root.
+    /// Probes the i-th ray, with no root tracked. If the ray may meet the solid, and the place is known, this
+    /// begins to track a root there.
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
@@ -97,8 +97,9 @@ impl Sweep<'_> {
         (self.root.is_tracked, self.root.probed) = (false, i);
     }
 
-    /// A ray that was cast for the i-th pixel, or for its mirror image, meets the lathe: from there the root
-    /// is tracked, if the bounds are of use. The next pixel need not be probed: it most likely meets the lathe, too.
+    /// To be called with the hit of a single ray, cast for the i-th pixel or for its mirror image. If it is
+    /// on the wall, and the bounds are of use, this begins to track a root there. The next pixel is not
+    /// probed for a miss: its ray most likely hits as well.
     pub fn found(&mut self, i: u32, hit: &Hit) {
         self.root.probed = i + 1;
         if hit.part == Part::Wall && self.bounds.is_usable {

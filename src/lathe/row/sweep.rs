@@ -34,7 +34,7 @@ pub(crate) enum Span {
     Single,
 }
 
-/// How distances are counted: from a ray's origin, in its own unit.
+/// What converts a row's s to the t of a ray.
 #[derive(Clone, Copy)]
 pub(crate) struct Scale {
     shift: f32,
@@ -42,7 +42,7 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
-    /// The t of a row's s.
+    /// The t that belongs to a given s.
     #[inline(always)]
     pub fn distance(self, s: f32) -> f32 {
         (s + self.shift) * self.per_unit
@@ -191,13 +191,14 @@ impl Sweep<'_> {
         self.bounds.middle - 1 - i
     }
 
-    /// What turns s into a ray's t.
+    /// The conversion of s to the t of a ray.
     #[inline(always)]
     pub fn scale(&self) -> Scale {
         Scale { shift: self.bounds.shift, per_unit: 1.0 / self.bounds.unit }
     }
 
-    /// A bound on the difference between the distances that the sweep hands over and those of single rays.
+    /// A bound of the difference, in t, between the distances that the sweep finds and those that single rays
+    /// find.
     pub fn depth_error(&self) -> f32 {
         self.bounds.depth_error()
     }

@@ -21,9 +21,9 @@ impl Sweep<'_> {
         (i + MOST_PIXELS.min(self.direction.len - i)).min(self.root.certificate.until)
     }
 
-    /// Tracks the root from the i-th pixel on, up to another, and hands over what each pixel sees, and at
-    /// which s. Returns the first pixel that sees none, `to` at most: tracking has ended there, and [`Sweep::next`] says what
-    /// follows.
+    /// Tracks the root from the i-th pixel to before pixel `to`, and calls `see` for each, with what it sees
+    /// and the s of the root. Returns the first pixel for which `see` was not called, `to` at most: tracking
+    /// has ended there, and [`Sweep::next`] is to be asked for what follows.
     #[inline(always)]
     pub fn track(&mut self, mut i: u32, to: u32, mut see: impl FnMut(&Seen, f32)) -> u32 {
         let Self { bounds, root, .. } = &*self;

@@ -340,3 +340,61 @@ fn through(places: &[Place]) -> Option<Segment> {
     let cubic = segment.cubic();
     places.iter().all(|place| squared_distance(&cubic, place, limit) <= limit).then_some(segment)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Piece, point, section::sections, walls::Wall};
+
+    /// The fewest segments of all chains of knots at every place and at nine offsets, by trying them all.
+    fn exhaustive(search: &Search, most: usize) -> Option<usize> {
+        let last = search.places.len() - 1;
+        let offsets = |at: usize| if at == 0 || at == last { 4..=4 } else { 0..=8 };
+        let knots: Vec<Choice> = (0..=last)
+            .step_by(SAMPLES)
+            .flat_map(|at| offsets(at).map(move |k| (at, (f64::from(k) - 4.0) / 4.0 * MOST_OFFSET)))
+            .filter_map(|(at, offset)| Some(Choice { anchor: search.knot(&search.places[at], offset)?, at }))
+            .collect();
+        let end = knots.len() - 1;
+        fn reaches(search: &Search, knots: &[Choice], from: usize, end: usize, segments: usize) -> bool {
+            if segments == 1 {
+                return search.allows(&knots[from], &knots[end]);
+            }
+            let farther = (from + 1..end).filter(|to| knots[*to].at > knots[from].at);
+            farther.into_iter().any(|to| {
+                search.allows(&knots[from], &knots[to]) && reaches(search, knots, to, end, segments - 1)
+            })
+        }
+        (1..=most).find(|segments| reaches(search, &knots, 0, end, *segments))
+    }
+
+    #[test]
+    fn no_chain_of_knots_is_shorter_by_more_than_one() {
+        let curves = [
+            vec![point(1.0, 0.0), point(2.0, 1.0), point(0.3, 2.0), point(1.0, 3.0)],
+            vec![point(0.0, 0.0), point(1.0, 0.2), point(1.5, 2.0), point(0.4, 3.0)],
+            vec![
+                point(1.0, 0.0),
+                point(1.0, 1.0),
+                point(3.0, 1.2),
+                point(0.2, 1.8),
+                point(1.0, 2.5),
+                point(0.5, 3.5),
+            ],
+            vec![point(2.0, 0.0), point(0.0, 1.5), point(2.0, 3.0)],
+        ];
+        let mut counts = Vec::new();
+        for curve in &curves {
+            let wall = Wall { pieces: vec![Piece::bezier(curve)], rises: true };
+            let section = &sections(&wall)[0];
+            for tolerance in [0.1, 0.03, 0.01] {
+                let search = Search { section, places: section.places(10), tolerance };
+                let fewest = fewest(section, tolerance, 10).expect("a fit").segments.len();
+                let least = exhaustive(&search, fewest).expect("at most as many");
+                assert!(fewest <= least + 1, "{curve:?}, {tolerance}: {fewest} for {least}");
+                counts.push((fewest, least));
+            }
+        }
+        assert!(counts.iter().any(|(fewest, _)| *fewest >= 3), "only trivial cases: {counts:?}");
+    }
+}

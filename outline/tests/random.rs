@@ -2,7 +2,7 @@
 
 mod measure;
 
-use embedded_lathe_outline::{Body, Fit, Outline, OutlineError, Piece, Point, body, point};
+use embedded_lathe_outline::{Body, Fit, Outline, OutlineError, Piece, Point, Segment, body, point};
 use measure::{drawn, farthest, lines, on};
 use rand::{RngExt, SeedableRng, rngs::ChaCha8Rng};
 
@@ -58,12 +58,45 @@ fn hold(seed: u64, outline: &Outline, body: &Body) {
             "seed {seed}, {tolerance:e}: {what} is off by {measured:e} at {place:?}, proven {error:e}\n{body:?}\n{outline:?}"
         );
     };
+    smooth(seed, outline, body);
     let fitted = lines(body, 200);
     // Straight pieces on the axis are no wall.
     let size = outline.size();
     let points: Vec<Point> = drawn(outline, 60).into_iter().filter(|p| p.r > 1e-6 * size).collect();
     at("the drawing", farthest(&points, &fitted));
     at("the body", farthest(&on(&lines(body, 60)), &[drawn(outline, 800)]));
+}
+
+/// Where the drawing is smooth the tangents of neighboring segments agree.
+fn smooth(seed: u64, outline: &Outline, body: &Body) {
+    let pieces = outline.pieces();
+    let after_last = outline.is_closed().then(|| &pieces[0]);
+    let pairs = pieces.iter().zip(pieces.iter().skip(1).chain(after_last));
+    let corners: Vec<Point> = pairs.filter(|(a, b)| turn(a, b) > 0.5e-3).map(|(a, _)| a.end()).collect();
+    let near = |p: Point| {
+        corners.iter().any(|corner| (corner.r - p.r).hypot(corner.z - p.z) <= 1e-6 * outline.size())
+    };
+    for sheet in &body.sheets {
+        let segments: Vec<Segment> = sheet.segments().collect();
+        for (below, above) in segments.windows(2).map(|pair| (pair[0], pair[1])) {
+            let place = point(above.b[0].max(0.0).sqrt(), above.z[0]);
+            // At a step there is no tangent to agree with, and at a pole within a wall none at all.
+            if below.b[3] != above.b[0] || place.r == 0.0 || near(place) {
+                continue;
+            }
+            let lean = |rise: f64, z: [f64; 2]| (3.0 * rise / (z[1] - z[0]) / (2.0 * place.r)).atan();
+            let [low, high] =
+                [lean(below.b[3] - below.b[2], below.z), lean(above.b[1] - above.b[0], above.z)];
+            assert!((low - high).abs() <= 1e-3, "seed {seed}: an edge of {:e} rad at {place:?}", low - high);
+        }
+    }
+}
+
+/// The angle between the end of a piece and the start of the next one.
+fn turn(a: &Piece, b: &Piece) -> f64 {
+    let step = |from: Point, to: Point| (to.z - from.z).atan2(to.r - from.r);
+    let turn = step(a.at(1.0 - 1e-6), a.end()) - step(b.start(), b.at(1e-6));
+    turn.sin().abs().max(if turn.cos() < 0.0 { 1.0 } else { 0.0 })
 }
 
 /// An outline with two to seven pieces outside, perhaps with an inner wall, and its kind.

@@ -149,17 +149,17 @@ impl<'a> RowBounds<'a> {
         let steep = d.z.abs() + half * d1.z.abs();
         let drift = m1.z.abs() + span * d1.z.abs();
         // The bounds are of use if no direction is shorter than half the middle one, so that the spread of
-        // the rays no more than doubles a bound; if the eye is outside the span; and if the tolerance is
-        // small.
+        // the rays no more than doubles a bound; if no ray is parallel to the axis; if the eye is outside the
+        // span; if the tolerance is small; and if the lathe has no rings.
         let is_usable = !frame.has_rings
             && least > 0.25 * square
             && q > 0.0
             && shift > span + slip
             && tolerance < MOST_TOLERANCE;
 
-        let Plane { height, slope } = Plane::of(rays, frame.bounding_square + tolerance);
-        let slope = slope + slip;
-        let (low, high) = (greater(frame.low, height - slope), lesser(frame.high, height + slope));
+        let Plane { height, spread } = Plane::of(rays, frame.bounding_square + tolerance);
+        let spread = spread + slip;
+        let (low, high) = (greater(frame.low, height - spread), lesser(frame.high, height + spread));
         let is_culled = is_outside_ball || is_usable && low > high;
         let is_mirrored = !is_culled && is_usable && {
             // Two pixels at the same distance from the middle on either side must agree, to an eighth of the
@@ -244,19 +244,19 @@ struct Plane {
     /// The height at which the plane meets the axis.
     height: f32,
     /// The largest difference from that height at any point of the plane within a cylinder around the axis.
-    slope: f32,
+    spread: f32,
 }
 
 impl Plane {
-    /// The plane of the rays; `reach` is the square of the cylinder's radius. The distance from the axis of
+    /// The plane of the rays; `square` is that of the cylinder's radius. The distance from the axis of
     /// the plane's line at a height is proportional to how far the height is from where the plane meets the
     /// axis.
     #[inline(always)]
-    fn of(rays: &RayRow, reach: f32) -> Self {
+    fn of(rays: &RayRow, square: f32) -> Self {
         let normal = cross(rays.origin_step, rays.direction);
         let per_z = 1.0 / normal.z;
-        let slope = Native::sqrt(reach * dot_xy(normal, normal)) * per_z.abs();
-        Self { height: dot(normal, rays.origin) * per_z, slope }
+        let spread = Native::sqrt(square * dot_xy(normal, normal)) * per_z.abs();
+        Self { height: dot(normal, rays.origin) * per_z, spread }
     }
 }
 

@@ -3,7 +3,7 @@
 //! - [`paper`]: the elimination of "An algorithm of finding intersection point for ray tracing to ternary Bézier curve rotating surface"
 //!   (Kang and Lu, Journal of Xi'an Jiaotong University, 1995): the ray's parameter is eliminated by the height.
 //! - [`sound`]: the ray is cut to each segment's slab and cylinder first, and g is formed along what remains.
-//! - [`asked`]: the crate's own; [`shipped`]: its walk along the ray, with any solver.
+//! - [`asked`]: the crate's own; [`shipped`]: its traversal alone, with any solver.
 
 use super::contenders::{Direct, FirstRoot, textbook_roots};
 use crate::cases::{Cast, Outline};

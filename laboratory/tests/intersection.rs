@@ -87,7 +87,7 @@ trait Questions {
     fn is_hit(shot: &Shot) -> bool;
 }
 
-/// As they are asked: at a glance, where that will do.
+/// As they are asked: by the fast path, where it decides.
 struct Asked;
 
 impl Questions for Asked {
@@ -106,7 +106,7 @@ impl Questions for Asked {
     }
 }
 
-/// By a walk, with a solver.
+/// By the traversal alone, with a solver.
 struct By<S>(PhantomData<S>);
 
 impl<S: Solver> Questions for By<S> {
@@ -130,11 +130,11 @@ fn as_asked() {
     agrees_with_the_oracle::<Asked>();
 }
 
-fn by_a_walk<S: Solver>() {
+fn by_the_traversal<S: Solver>() {
     agrees_with_the_oracle::<By<S>>();
 }
 
-over_every_backend!(by_a_walk);
+over_every_backend!(by_the_traversal);
 
 /// Hits and misses, the order, kind and number of hits, shadows, and the error of the points.
 fn agrees_with_the_oracle<Q: Questions>() {

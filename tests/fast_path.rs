@@ -1,4 +1,4 @@
-//! What most rays meet is told at a glance: the same as by a walk along them, beyond any doubt.
+//! The fast path of single rays finds the crossings that the traversal alone finds.
 
 mod random;
 
@@ -13,30 +13,32 @@ const LATHES: u32 = 6_000;
 const RAYS: u32 = 250;
 const SIDE: u32 = 4_000;
 
-/// Two answers are one crossing if they are nearer to each other than this part of their distance and the solid's size:
-/// behind a root that a glance tells g rises above doubt, sixteen units of 2⁻²⁴ at least, whose square root is 10⁻³.
+/// Two hits are of one crossing if their t differ by less than this, times 1 + |t|. The fast path certifies a
+/// root only if g rises above the tolerance behind it. The tolerance is at least sixteen units of 2⁻²⁴, and its
+/// square root is 10⁻³.
 const SAME: f32 = 1e-3;
 
 /// Hits of a lathe of eight segments.
 type Hits = heapless::Vec<Hit, 33>;
 
+/// Returns the nearest hit. Panics if the traversal alone finds another one, or if `is_hit` does not agree.
 fn agree(lathe: &Lathe<[Segment; 8]>, ray: &Ray, t_min: f32, what: &str) -> Option<Hit> {
-    let (seen, walked) = (lathe.nearest(ray, t_min), lathe.nearest_by::<Split<Native>>(ray, t_min));
-    let is_same = match (seen, walked) {
+    let (found, traversed) = (lathe.nearest(ray, t_min), lathe.nearest_by::<Split<Native>>(ray, t_min));
+    let is_same = match (found, traversed) {
         (None, None) => true,
-        (Some(seen), Some(walked)) => {
-            (seen.t - walked.t).abs() < SAME * (1.0 + seen.t.abs())
-                && (seen.enters, seen.part) == (walked.enters, walked.part)
+        (Some(found), Some(traversed)) => {
+            (found.t - traversed.t).abs() < SAME * (1.0 + found.t.abs())
+                && (found.enters, found.part) == (traversed.enters, traversed.part)
         }
         _ => false,
     };
-    assert_eq!(seen.is_some(), lathe.is_hit(ray, t_min), "{what}: {ray:?} at {lathe:?}");
-    assert!(is_same, "{what}: {seen:?} is not {walked:?}, beyond {t_min} on {ray:?} at {lathe:?}");
-    seen
+    assert_eq!(found.is_some(), lathe.is_hit(ray, t_min), "{what}: {ray:?} at {lathe:?}");
+    assert!(is_same, "{what}: {found:?} is not {traversed:?}, beyond {t_min} on {ray:?} at {lathe:?}");
+    found
 }
 
 #[test]
-fn a_glance_tells_what_a_walk_does() {
+fn the_fast_path_finds_what_the_traversal_finds() {
     let mut rng = ChaCha8Rng::seed_from_u64(1995);
     let (mut hits, mut rays) = (0, 0);
     for number in 0..LATHES {
@@ -46,8 +48,8 @@ fn a_glance_tells_what_a_walk_does() {
             let (x, y) = (rng.random_range(0..SIDE), rng.random_range(0..SIDE));
             let ray = camera.ray(x, y, SIDE, SIDE);
             let t_min = if rng.random_ratio(1, 4) { even(&mut rng, -3.0, 3.0) } else { 0.0 };
-            let seen = agree(&lathe, &ray, t_min, &format!("lathe {number}"));
-            (rays, hits) = (rays + 1, hits + u32::from(seen.is_some()));
+            let found = agree(&lathe, &ray, t_min, &format!("lathe {number}"));
+            (rays, hits) = (rays + 1, hits + u32::from(found.is_some()));
         }
     }
     assert!(rays / 4 < hits && hits < rays * 3 / 4, "{hits} of {rays} rays hit");
@@ -94,8 +96,8 @@ fn the_nearest_hit_is_the_first_of_all() {
             let origin = std::array::from_fn(|i| target[i] - direction[i]);
             let Ok(ray) = Ray::new(origin, direction) else { continue };
             let what = format!("lathe {number}");
-            let seen = if exactly { lathe.nearest(&ray, 0.0) } else { agree(&lathe, &ray, 0.0, &what) };
-            let Some(hit) = seen else { continue };
+            let found = if exactly { lathe.nearest(&ray, 0.0) } else { agree(&lathe, &ray, 0.0, &what) };
+            let Some(hit) = found else { continue };
             hits += 1;
             // From there on, any way.
             let direction = [(); 3].map(|()| even(&mut rng, -4.0, 4.0));
@@ -128,7 +130,8 @@ fn rays_leave_a_needle() {
     }
 }
 
-/// Rays that begin on the surface, at a join, a wall or a rim: as many hits as by a walk, the nearest among them.
+/// Rays that begin on the surface, at a join, a wall or a rim have as many hits as by the traversal alone, and
+/// the first of them is the nearest.
 #[test]
 fn rays_from_the_surface() {
     let turned = |knots: &[f32], ordinates: &[f32], k: f32, base, top| {
@@ -159,9 +162,9 @@ fn rays_from_the_surface() {
     ];
     for (lathe, ray) in cases {
         let ray = ray.unwrap();
-        let (hits, walked): (Hits, Hits) =
+        let (hits, traversed): (Hits, Hits) =
             (lathe.hits(&ray, 0.0), lathe.hits_by::<Split<Native>, 33>(&ray, 0.0));
-        assert_eq!(hits.len(), walked.len(), "{hits:?} are not {walked:?}");
+        assert_eq!(hits.len(), traversed.len(), "{hits:?} are not {traversed:?}");
         assert_eq!(lathe.nearest(&ray, 0.0), hits.first().copied(), "{hits:?}");
     }
 }

@@ -1,6 +1,9 @@
 //! What is a profile, what is not and why, and what the exact ones are.
 
+mod promise;
+
 use embedded_lathe::{End, Lathe, Part, Profile, ProfileError, Ray, RayError, Segment, valid};
+use promise::{PROMISE, unit};
 use std::fmt::Display;
 
 const KNOTS: [f32; 3] = [0.0, 0.4, 1.0];
@@ -280,10 +283,10 @@ fn has_radius(name: impl Display, lathe: &Lathe, (low, high): (f32, f32), radius
         let z = low + (high - low) * step as f32 / 100.0;
         let r = radius(z.into());
         let y = f64::from(y_at(lathe, 0.0, z).expect("the ray meets the axis"));
-        // 4 units of size + distance, as for every hit; incidence as steep as the profile is, cos ≥
+        // As promised of every hit, of sizes up to 3 and a distance of 8; incidence as steep as the profile is, cos ≥
         // r/√(r² + (r·r′)²), r·r′ ≤ 2.
         let cos = r / r.hypot(2.0);
-        let bound = 4.0 * (3.0 + 8.0) / 16_777_216.0 / cos;
+        let bound = PROMISE * unit(3.0, 8.0) / cos;
         assert!((y + r).abs() <= bound, "{name} at {z}: {} instead of {r}, bound {bound:e}", -y);
     }
 }

@@ -5,10 +5,9 @@
 //! near enough; so it is judged by the least of the values within that, and where the sign changes within
 //! that, it is 0.
 
+use crate::UNITS;
 use crate::exact::{Exact, Polynomial, exact, float, quotient, sign};
 use dashu_base::Abs;
-
-const UNITS: f64 = 16_777_216.0;
 
 /// What a list of roots in [0, 1] is off by.
 #[derive(Clone, Copy, Debug)]

@@ -10,6 +10,7 @@
 //! below 2⁻¹⁰⁶ of the largest coefficient.
 
 use super::exact::{Exact, Polynomial, exact, float, quotient, sign};
+use crate::UNITS;
 use embedded_lathe::solve::BACKWARD_ERROR;
 
 /// Everything the judge needs to know of a polynomial on an interval.
@@ -34,8 +35,6 @@ pub struct Verdict {
     /// there is no root.
     pub distance: Option<f64>,
 }
-
-const UNITS: f64 = 16_777_216.0;
 
 impl Truth {
     pub fn new(c: &[f32], lo: f32, hi: f32) -> Self {

@@ -39,14 +39,19 @@ pub mod tally;
 pub mod troubles;
 pub mod workload;
 
+#[path = "../../tests/promise/mod.rs"]
+mod promise;
+pub use promise::{PROMISE, ROUNDOFF, unit};
+
+/// How many units of [`ROUNDOFF`] are in 1.
+const UNITS: f64 = 1.0 / ROUNDOFF;
+
 /// What no change of the coefficients below so many units of 2⁻²⁴ explains is called wrong, whoever says it.
 pub const WRONG: f64 = 64.0;
 
-/// What no displacement below so many units of 2⁻²⁴·(size + distance) explains is a wrong intersection.
-pub const DISPLACEMENT: f64 = 16.0;
-
-/// What the crate's own intersections promise: a quarter of that.
-pub const PROMISE: f64 = 4.0;
+/// What no displacement below so many units ([`unit`]) explains is a wrong intersection, whoever made it: four
+/// times what the crate promises.
+pub const DISPLACEMENT: f64 = 4.0 * PROMISE;
 
 /// By how many units of `2⁻²⁴·Σ bⱼ·Bⱼ(u)`, magnitudes, the squared radius may be off where it touches zero
 /// inside a segment, one for each of the three interpolations that it is found by

@@ -19,10 +19,9 @@
 //! vanishes, between which it is a ratio of linear functions. Three roots leave a cubic but one factor to
 //! choose.
 
+use crate::UNITS;
 use crate::exact::{Exact, Polynomial, exact, float, quotient, sign};
 use dashu_base::Abs;
-
-const UNITS: f64 = 16_777_216.0;
 
 /// What a list of roots is off by.
 #[derive(Clone, Copy, Debug)]

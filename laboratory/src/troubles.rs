@@ -1,8 +1,8 @@
 //! Rays at which intersections fail, by trouble: which outlines, met by which kinds of rays.
 
-use super::TOUCHING;
 use super::families::Question;
 use super::forms;
+use super::{ROUNDOFF, TOUCHING};
 use crate::cases::{Case, Family, Outline, case, outline, outlines};
 use rand::RngExt;
 use rand::rngs::ChaCha8Rng;
@@ -36,7 +36,7 @@ fn all() -> Vec<Trouble> {
     let named = |names: &[&str]| names.iter().map(|name| outline(name)).collect::<Vec<_>>();
     let trouble = |name, outlines, families| Trouble { name, doubt: 0.0, outlines, families };
     // At its middle, u = 1/2, Σ bⱼ·Bⱼ(u) is half of the largest ordinate, 1/4.
-    let waist = TOUCHING * (-24f64).exp2() / 8.0;
+    let waist = TOUCHING * ROUNDOFF / 8.0;
     vec![
         trouble("all around", outlines(), &[Random, Camera, Inside, Unnormalised, ThroughAxis]),
         trouble("silhouettes", outlines(), &[Grazing]),

@@ -2,6 +2,7 @@
 
 use laboratory::cases::{Case, Family, Outline, case, cases, outline, outlines};
 use laboratory::oracle::{self, bands, crossings, robust};
+use laboratory::{PROMISE, ROUNDOFF};
 use std::collections::HashSet;
 
 const SEED: u64 = 8;
@@ -224,8 +225,8 @@ fn through_the_axis_to_the_last_bit() {
 fn from_the_surface_starts_there() {
     let touching = share(Family::FromSurface, |case| {
         let start = oracle::Ray { t_min: 0.0, ..case.ray() };
-        let height = f64::from(case.cast.origin[2]).abs() * (-24_f64).exp2();
-        !robust(&case.outline.shape(), &start, case.eps(4.0) + height)
+        let height = f64::from(case.cast.origin[2]).abs() * ROUNDOFF;
+        !robust(&case.outline.shape(), &start, case.eps(PROMISE) + height)
     });
     assert!(touching > 0.98, "{touching}");
     let within = share(Family::FromSurface, start_inside);

@@ -1,13 +1,13 @@
 //! The kernel against the oracle: every ray family at every outline, by every solver over every backend.
 //!
-//! The unit of error is 2⁻²⁴·(size of the solid + distance of the ray's origin from its middle).
+//! The unit of error is [`laboratory::unit`].
 
 use embedded_lathe::solve::Solver;
 use embedded_lathe::{Hit, Lathe, Part, Ray, Segment, Surface};
 use laboratory::cases::{Case, Family, cases, outlines, stepped_outlines};
 use laboratory::lathes::{CAPACITY, lathe};
 use laboratory::oracle::{self, Band, Shape};
-use laboratory::over_every_backend;
+use laboratory::{PROMISE, ROUNDOFF, over_every_backend};
 use std::marker::PhantomData;
 
 const SEED: u64 = 1995;
@@ -19,11 +19,11 @@ const RAYS: u64 = 90;
 /// Where it comes from: the path's origin O + t·D is rounded three times, the place of least distance twice,
 /// and g at a place is off by 4 units of the squared radius there, half of which is the radius: 7 in all, if
 /// all conspire, which they do not: with `RAYS` = 3 000, 702 000 rays, 2 were measured. Twice that is promised.
-const CLEARANCE: f64 = 4.0;
+const CLEARANCE: f64 = PROMISE;
 
 /// How far a hit may be from the true one along the surface's normal, in units of the size, the origin's and
 /// the hit's own distance: t itself is rounded. The same sum. Measured over those rays' hits, as asked: 1.9.
-const POINT: f64 = 4.0;
+const POINT: f64 = PROMISE;
 
 /// The same for a hit of the traversal, which ends with a step of Newton's about the root itself: measured, 1.0.
 const TRAVERSED_POINT: f64 = 2.0;
@@ -41,18 +41,8 @@ struct Shot<'a> {
 }
 
 impl Shot<'_> {
-    /// A rounding of t itself, which grows with the distance of the hit.
-    fn rounding(&self, t: f64) -> f64 {
-        4.0 * t.abs() * (-24_f64).exp2()
-    }
-
-    fn within(&self, hit: &Hit, band: &Band) -> bool {
-        let (t, slack) = (f64::from(hit.t), self.rounding(hit.t.into()));
-        (band.from - slack..=band.to + slack).contains(&t)
-    }
-
     fn agrees(&self, hit: &Hit, band: &Band) -> bool {
-        hit.enters == band.enters && hit.part == part(band.part) && self.within(hit, band)
+        hit.enters == band.enters && hit.part == part(band.part) && band.holds(hit.t)
     }
 }
 
@@ -162,7 +152,7 @@ fn agrees_with_the_oracle<Q: Questions>() {
         // is crossed.
         let mut rest = hits.as_slice();
         for band in &bands.sure {
-            let within = rest.iter().take_while(|hit| shot.within(hit, band)).count();
+            let within = rest.iter().take_while(|hit| band.holds(hit.t)).count();
             let (here, beyond) = rest.split_at(within);
             assert!(within % 2 == 1 && shot.agrees(&here[0], band), "{hits:?} miss {band:?}\n{}", shot.case);
             if let [hit] = here {
@@ -188,7 +178,7 @@ fn point_error(shot: &Shot, hit: &Hit, band: &Band) -> f64 {
         return 0.0;
     };
     let length = shot.case.ray().direction.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let unit = shot.case.eps(1.0) + (-24_f64).exp2() * (at.t * length).abs();
+    let unit = shot.case.unit_at(at.t);
     (f64::from(hit.t) - at.t).abs() * length * at.cos / unit
 }
 
@@ -202,7 +192,7 @@ fn normals_point_out_of_the_solid() {
             let Surface { point, normal, .. } = shot.lathe.surface(&shot.ray, &hit);
             let (point, normal) = (point.map(f64::from), normal.map(f64::from));
             let length = normal.iter().map(|c| c * c).sum::<f64>();
-            assert!((length - 1.0).abs() < 8.0 * (-24_f64).exp2(), "{normal:?} {}", shot.case);
+            assert!((length - 1.0).abs() < 8.0 * ROUNDOFF, "{normal:?} {}", shot.case);
             let knot = hit.segment + usize::from(hit.u > 0.5);
             let [below, above] = shot.shape.radii(knot);
             let faces = match hit.part {
@@ -245,7 +235,7 @@ fn normal_error(shot: &Shot, hit: &Hit, point: [f64; 3], normal: [f64; 3]) -> f6
     let length = gradient.iter().map(|c| c * c).sum::<f64>().sqrt();
     let off = (0..3).map(|i| (gradient[i] / length - normal[i]).powi(2)).sum::<f64>().sqrt();
     let condition = 1.0 + terms / length;
-    if length > 0.0 { off / condition * 24_f64.exp2() } else { 0.0 }
+    if length > 0.0 { off / condition / ROUNDOFF } else { 0.0 }
 }
 
 /// A join is one circle: a ray through it at any slope meets the solid as often as one beside it.

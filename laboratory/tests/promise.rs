@@ -1,7 +1,6 @@
 //! The crate's promise of hits and places, at outlines of every kind.
 //!
-//! The unit is 2⁻²⁴·(size + distance): the size of the solid, its height or its largest diameter, whichever is more, and
-//! the distance of the ray's origin from the middle of the axis. Of a place, the hit's own distance counts as well.
+//! The unit is [`laboratory::unit`]. Of a place, the hit's own distance counts as well.
 //!
 //! ```text
 //! PROMISE_OUTLINES=2600 cargo test -p embedded-lathe-laboratory --test promise -- --nocapture
@@ -16,12 +15,12 @@ use laboratory::cases::{Case, Cast, Family, Outline, cases};
 use laboratory::lathes::lathe;
 use laboratory::oracle::{self, Band, Shape, value};
 use laboratory::outlines::Kind;
+use laboratory::{PROMISE, ROUNDOFF};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::env;
 
 const SEED: u64 = 1995;
-const PROMISE: f64 = 4.0;
 
 fn part(part: oracle::Part) -> Part {
     match part {
@@ -33,11 +32,7 @@ fn part(part: oracle::Part) -> Part {
 }
 
 fn is_in(hit: &Hit, band: &Band) -> bool {
-    let t = f64::from(hit.t);
-    let slack = 4.0 * t.abs() * (-24_f64).exp2();
-    hit.enters == band.enters
-        && hit.part == part(band.part)
-        && (band.from - slack..=band.to + slack).contains(&t)
+    hit.enters == band.enters && hit.part == part(band.part) && band.holds(hit.t)
 }
 
 /// The least displacement, in units and to a quarter of itself, that excuses the answer: one below which all that the ray must
@@ -61,10 +56,9 @@ fn excuse(shape: &Shape, case: &Case, nearest: Option<Hit>) -> f64 {
 /// How far a hit of a cap or a ring is from its plane, in units.
 fn off_plane(shape: &Shape, case: &Case, hit: &Hit) -> f64 {
     let (ray, t) = (case.ray(), f64::from(hit.t));
-    let length = ray.direction.iter().map(|c| c * c).sum::<f64>().sqrt();
     let z = ray.origin[2] + t * ray.direction[2];
     let knot = shape.knots[hit.segment + usize::from(hit.u > 0.5)];
-    (z - knot).abs() / (case.eps(1.0) + (-24_f64).exp2() * (t * length).abs())
+    (z - knot).abs() / case.unit_at(t)
 }
 
 /// How far a hit's place is from the surface, in units.
@@ -72,7 +66,7 @@ fn off(shape: &Shape, case: &Case, hit: &Hit) -> f64 {
     let ray = case.ray();
     let length = ray.direction.iter().map(|c| c * c).sum::<f64>().sqrt();
     let t = f64::from(hit.t);
-    let unit = case.eps(1.0) + (-24_f64).exp2() * (t * length).abs();
+    let unit = case.unit_at(t);
     let along = oracle::crossings(shape, &ray).into_iter().map(|at| (t - at.t).abs() * length * at.cos);
     let along = along.fold(f64::INFINITY, f64::min) / unit;
     // Beside an edge another point of the surface may be nearer.
@@ -247,7 +241,7 @@ fn parts_beside_a_tip() {
         for index in 0..100 {
             let mut near = || rng.random_range(-1.0_f64..1.0);
             // At the rim, from about it or from far within, at any slope.
-            let unit = shape.size() * (-24_f64).exp2();
+            let unit = shape.size() * ROUNDOFF;
             let away = unit * 1000_f64.powf(near() + 1.0);
             let turn = 3.0 * near();
             let target =

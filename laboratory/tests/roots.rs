@@ -8,7 +8,7 @@
 
 use embedded_lathe::Cubic;
 use embedded_lathe::solve::{Cardano, DefaultSolver, Solver, Split};
-use laboratory::over_every_backend;
+use laboratory::{ROUNDOFF, over_every_backend};
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, RngExt, SeedableRng};
 
@@ -38,7 +38,7 @@ fn parabolas_have_two<S: Solver>() {
     assert_eq!(check::<S>(c, 0.0, 1.0), 2);
     let off = |root: &f32| (f64::from(*root) - 0.999_997).abs();
     let roots = Cubic::new(c).roots_by::<S>(0.0, 1.0);
-    assert!(roots.iter().all(|root| off(root) <= (16.0 * (-24_f64).exp2()).sqrt()), "{roots:?}");
+    assert!(roots.iter().all(|root| off(root) <= (16.0 * ROUNDOFF).sqrt()), "{roots:?}");
 }
 
 /// A parabola whose two roots, or their lack, are within rounding of each other and near the end of the

@@ -8,13 +8,12 @@ use embedded_lathe::Cubic;
 use embedded_lathe::math::{Libm, Math, Micromath, Native, Std};
 use embedded_lathe::solve::{BACKWARD_ERROR, Solver};
 use laboratory::families::{FAMILIES, Question};
-use laboratory::over_every_backend;
+use laboratory::{ROUNDOFF, over_every_backend};
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, RngExt, SeedableRng};
 use std::sync::LazyLock;
 
 const CUBICS: usize = 20_000;
-const UNIT: f64 = 1.0 / 16_777_216.0;
 
 /// A question of the laboratory's, and the backward error of an answer to it.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +28,7 @@ impl Problem {
 
     fn depth(&self, u: f64) -> f64 {
         let (value, size) = self.at(u);
-        if size > 0.0 { value.abs() / size / UNIT } else { 0.0 }
+        if size > 0.0 { value.abs() / size / ROUNDOFF } else { 0.0 }
     }
 
     /// The backward error of the answer that the first root is here, or nowhere: before it g may have one
@@ -131,7 +130,7 @@ fn all_roots_are_found() {
         assert_eq!(found.len(), 3, "number {i}: {problem:?} → {found:?}, should be {roots:?}");
         for (found, root) in found.iter().zip(roots) {
             // Backward error over the slope, which is at least gap² = 10⁻⁴.
-            assert!((f64::from(*found) - root).abs() < 4.0 * 8.0 * UNIT / 1e-4, "{found} is not {root}");
+            assert!((f64::from(*found) - root).abs() < 4.0 * 8.0 * ROUNDOFF / 1e-4, "{found} is not {root}");
         }
     }
 }
@@ -182,7 +181,7 @@ fn keeps_its_promises<M: Math>(exact_root: bool) {
             assert!(root == x.sqrt() || x.is_nan() && root.is_nan(), "√{x:e} = {root:e}");
         } else {
             let truth = f64::from(x).sqrt();
-            assert!((f64::from(root) - truth).abs() <= 2.0 * UNIT * truth, "√{x:e} = {root:e}");
+            assert!((f64::from(root) - truth).abs() <= 2.0 * ROUNDOFF * truth, "√{x:e} = {root:e}");
         }
         let x = decades(&mut rng, -37.9, 38.5) as f32;
         assert!((M::cbrt(x) / x.cbrt() - 1.0).abs() < 0.08, "∛{x:e} = {:e}", M::cbrt(x));

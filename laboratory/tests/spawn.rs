@@ -4,13 +4,12 @@ use embedded_lathe::{Hit, Part, Pose, Ray, Rgb, Rotation, Solid};
 use laboratory::cases::{Family, cases, outlines, stepped_outlines};
 use laboratory::lathes::lathe;
 use laboratory::oracle::{self, Shape};
+use laboratory::{PROMISE, ROUNDOFF};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
 const SEED: u64 = 1995;
 const RAYS: u64 = 60;
-/// Units that a ray has to clear the surface by at its start, to hit and miss as it should.
-const CLEARANCE: f64 = 4.0;
 
 fn direction(rng: &mut ChaCha8Rng) -> [f32; 3] {
     [(); 3].map(|()| rng.random_range(-1.0_f32..1.0))
@@ -22,14 +21,9 @@ fn wide(v: [f32; 3]) -> [f64; 3] {
 
 /// What the ray should meet first, `None` if it should miss; an error if its start is not clear of the surface, or a rounding
 /// may decide.
-fn truth(
-    shape: &Shape,
-    origin: [f64; 3],
-    direction: [f64; 3],
-    unit: f64,
-) -> Result<Option<oracle::Band>, ()> {
+fn truth(shape: &Shape, origin: [f64; 3], direction: [f64; 3]) -> Result<Option<oracle::Band>, ()> {
     let ray = oracle::Ray { origin, direction, t_min: 0.0 };
-    let bands = oracle::bands(shape, &ray, CLEARANCE * unit);
+    let bands = oracle::bands(shape, &ray, PROMISE * shape.unit(origin));
     match bands.sure.first() {
         Some(band) => Ok(Some(*band)),
         None if bands.complete => Ok(None),
@@ -40,10 +34,7 @@ fn truth(
 fn agrees(hit: Option<Hit>, band: Option<oracle::Band>) -> bool {
     match (hit, band) {
         (None, None) => true,
-        (Some(hit), Some(band)) => {
-            let (t, slack) = (f64::from(hit.t), 4.0 * f64::from(hit.t) * (-24_f64).exp2());
-            hit.enters == band.enters && (band.from - slack..=band.to + slack).contains(&t)
-        }
+        (Some(hit), Some(band)) => hit.enters == band.enters && band.holds(hit.t),
         _ => false,
     }
 }
@@ -71,15 +62,13 @@ fn a_spawned_ray_leaves_its_surface() {
                 let lengths = 4.0 * 0.5 * 2.0_f64.sqrt() * shape.size()
                     + [x, y, z - shape.middle()].iter().map(|c| c.abs()).sum::<f64>()
                     + 2.0 * wide(point).iter().map(|c| c.abs()).sum::<f64>();
-                assert!(offset <= 16.5 * (-24_f64).exp2() * lengths, "{offset} of {lengths}\n{case}");
+                assert!(offset <= 16.5 * ROUNDOFF * lengths, "{offset} of {lengths}\n{case}");
 
                 spawned += 1;
                 let normal = wide(met.normal);
                 let is_outward = (0..3).map(|i| normal[i] * f64::from(towards[i])).sum::<f64>() > 0.0;
                 assert!(!(is_convex && is_outward && nearest.is_some()), "{nearest:?} by {next:?}\n{case}");
-                let [x, y, z] = origin;
-                let unit = (-24_f64).exp2() * (shape.size() + x.hypot(y).hypot(z - shape.middle()));
-                match truth(&shape, origin, wide(towards), unit) {
+                match truth(&shape, origin, wide(towards)) {
                     Ok(band) => {
                         assert!(agrees(nearest, band), "{nearest:?} is not {band:?} by {next:?}\n{case}")
                     }

@@ -10,7 +10,7 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use embedded_lathe::solve::Solver;
 use embedded_lathe::{Background, Paint, Rgb, Scene};
 use laboratory::cases::outline;
-use laboratory::{oracle, over_every_backend};
+use laboratory::{PROMISE, ROUNDOFF, oracle, over_every_backend, unit};
 
 const BLACK: Background = Background::Plain(Rgb::BLACK);
 
@@ -44,9 +44,9 @@ fn the_oracle_sees_the_same_vase() {
             let towards = ray.at(1.0).map(f64::from);
             let direction = std::array::from_fn(|i| towards[i] - origin[i]);
             let ray = oracle::Ray { origin: turn(origin), direction: turn(direction), t_min: 0.0 };
-            // The direction is what is left of a sum of about 3, and is 3 long before it meets the vase; 4
-            // units for the kernel's own, as for every hit.
-            let bands = oracle::bands(&shape, &ray, (3.0 * 3.0 + 4.0 * 4.0) / 16_777_216.0);
+            // The direction is what is left of a sum of about 3, and is 3 long before it meets the vase; and the
+            // kernel's own units, as for every hit.
+            let bands = oracle::bands(&shape, &ray, 3.0 * 3.0 * ROUNDOFF + PROMISE * unit(1.0, 3.0));
             if bands.complete {
                 sure += 1;
                 assert_eq!(seen, !bands.sure.is_empty(), "column {x}, row {y}");

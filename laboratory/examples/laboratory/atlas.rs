@@ -171,11 +171,7 @@ fn cell(scene: Scene, methods: &[Nearest; 3], column: u32, row: u32) -> [f64; 3]
         let [across, up] =
             [column, row].map(|i| (f64::from(i) + rng.random_range(0.0..1.0)) / f64::from(CELLS));
         let (outline, cast) = scene(across, up, &mut rng);
-        let distance = {
-            let [x, y, z] = cast.origin.map(f64::from);
-            x.hypot(y).hypot(z - outline.middle())
-        };
-        let truth = Truth::of(&outline, cast, (-24f64).exp2() * (outline.size() + distance));
+        let truth = Truth::of(&outline, cast, outline.unit(cast.origin));
         for (worst, nearest) in worst.iter_mut().zip(methods) {
             *worst = worst.max(truth.judge(nearest(&outline, &cast)));
         }

@@ -11,6 +11,7 @@ pub use family::Family;
 pub use outline::{Outline, outline, outlines};
 pub use stepped::stepped_outlines;
 
+use crate::ROUNDOFF;
 use crate::oracle;
 use place::Place;
 use rand::SeedableRng;
@@ -56,11 +57,15 @@ impl Case<'_> {
         self.cast.ray()
     }
 
-    /// What f32 may lose: `units` of 2⁻²⁴ of the solid's size plus the origin's distance from its middle.
+    /// So many units of the case's ray.
     pub fn eps(&self, units: f64) -> f64 {
-        let [x, y, z] = self.cast.origin.map(f64::from);
-        let distance = x.hypot(y).hypot(z - self.outline.middle());
-        units * (-24_f64).exp2() * (self.outline.size() + distance)
+        units * self.outline.unit(self.cast.origin)
+    }
+
+    /// The unit of the point at t: its distance from the ray's origin counts as well.
+    pub fn unit_at(&self, t: f64) -> f64 {
+        let length = self.ray().direction.iter().map(|c| c * c).sum::<f64>().sqrt();
+        self.eps(1.0) + ROUNDOFF * (t * length).abs()
     }
 }
 

@@ -58,6 +58,11 @@ impl Outline {
     pub fn size(&self) -> f64 {
         self.shape().size()
     }
+
+    /// The unit in which a ray from this origin may be off.
+    pub fn unit(&self, origin: [f32; 3]) -> f64 {
+        self.shape().unit(origin.map(f64::from))
+    }
 }
 
 pub fn outlines() -> Vec<Outline> {

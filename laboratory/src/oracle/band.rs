@@ -14,6 +14,7 @@ use super::bernstein::{self, Cubic, lerp};
 use super::crossing::{Part, crossings};
 use super::line::{Line, Ray};
 use super::shape::Shape;
+use crate::{PROMISE, ROUNDOFF};
 
 /// A stretch of the ray that holds a crossing, whoever looks.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +23,15 @@ pub struct Band {
     pub to: f64,
     pub enters: bool,
     pub part: Part,
+}
+
+impl Band {
+    /// Whether a hit at t is in the band, but for the rounding of t itself, which grows with it.
+    pub fn holds(&self, t: f32) -> bool {
+        let t = f64::from(t);
+        let slack = PROMISE * ROUNDOFF * t.abs();
+        (self.from - slack..=self.to + slack).contains(&t)
+    }
 }
 
 /// The bands up to the first doubtful one.

@@ -96,6 +96,11 @@ impl Shape {
         (self.top() - self.base()).max(2.0 * self.widest())
     }
 
+    /// The unit in which a ray from this origin may be off.
+    pub fn unit(&self, [x, y, z]: [f64; 3]) -> f64 {
+        crate::unit(self.size(), x.hypot(y).hypot(z - self.middle()))
+    }
+
     /// Segment and parameter of a height, both clamped to the profile.
     pub fn locate(&self, z: f64) -> (usize, f64) {
         let above = self.knots.partition_point(|&knot| knot <= z);

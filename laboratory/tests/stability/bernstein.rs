@@ -7,7 +7,7 @@
 use embedded_lathe::Bernstein;
 use embedded_lathe::solve::Solver;
 use laboratory::bernstein::Ordinates;
-use laboratory::over_every_backend;
+use laboratory::{ROUNDOFF, over_every_backend};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
@@ -158,6 +158,6 @@ fn values_are_as_exact_as_they_say() {
 fn a_root_that_conversion_loses() {
     let curve = Bernstein::new([117.11707, 39.039914, -2.3525217e-6, -2.3526636e-6]);
     let root = curve.first_root().expect("the signs differ");
-    assert!((f64::from(root) - 0.999_858_269).abs() <= 2.0 * (-24_f64).exp2(), "{root}");
+    assert!((f64::from(root) - 0.999_858_269).abs() <= 2.0 * ROUNDOFF, "{root}");
     assert_eq!(curve.roots().len(), 1);
 }

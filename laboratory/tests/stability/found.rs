@@ -2,12 +2,12 @@
 
 use embedded_lathe::solve::BACKWARD_ERROR;
 use embedded_lathe::{Cubic, Lathe, Profile, Ray};
-use laboratory::PROMISE;
 use laboratory::cases::{Cast, Outline};
 use laboratory::contenders::{EVERYWHERE, HOST};
 use laboratory::forms::{METHODS, turned};
 use laboratory::hits::Truth as HitTruth;
 use laboratory::judge::Truth;
+use laboratory::{PROMISE, ROUNDOFF};
 
 fn solved(c: [f32; 4], lo: f32, hi: f32) {
     let truth = Truth::promised(&c, lo, hi);
@@ -41,9 +41,7 @@ fn met_unsure(doubt: f64, knots: &[f32], ordinates: &[f32], k: f32, origin: [f32
         top_closed: false,
     };
     let cast = Cast { origin, direction, t_min: 0.0 };
-    let [x, y, z] = origin.map(f64::from);
-    let distance = x.hypot(y).hypot(z - outline.middle());
-    let truth = HitTruth::of(&outline, cast, (-24f64).exp2() * (outline.size() + distance));
+    let truth = HitTruth::of(&outline, cast, outline.unit(origin));
     for (_, solver, nearest) in METHODS.iter().filter(|(form, ..)| *form == "crate") {
         let answer = nearest(&outline, &cast);
         let units = truth.judge_unsure(answer, doubt);
@@ -150,7 +148,7 @@ fn a_far_conical_pole_along_the_axis() {
 fn an_edge_that_tapers_away() {
     let largest = f64::from(0.22212219_f32);
     met_unsure(
-        4.0 * PROMISE * largest * (-24f64).exp2(),
+        4.0 * PROMISE * largest * ROUNDOFF,
         &[0.0, 0.421875, 0.84375],
         &[0.0007324219, 0.0, 0.0, 0.0, 0.22212219, 0.0, 0.0],
         0.0,
@@ -193,7 +191,7 @@ fn a_waist_of_no_radius() {
 #[test]
 fn the_end_of_a_thread() {
     met_unsure(
-        4.0 * PROMISE * (-24f64).exp2(),
+        4.0 * PROMISE * ROUNDOFF,
         &[0.0, 0.421875, 2.421875, 8.421875],
         &[0.0, 0.0, 0.0, 0.0, 0.9979553, 0.0006713867, 3.0517578e-5, 0.0015716553, 0.0, 0.0],
         0.0,

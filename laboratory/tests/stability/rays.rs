@@ -5,7 +5,7 @@ use laboratory::hits::Truth;
 use laboratory::oracle;
 use laboratory::tally::Tally;
 use laboratory::troubles::Trouble;
-use laboratory::{DISPLACEMENT, PROMISE};
+use laboratory::{DISPLACEMENT, PROMISE, ROUNDOFF};
 
 const SEED: u64 = 4;
 /// Rays a trouble.
@@ -77,7 +77,7 @@ fn the_truth_agrees_with_the_oracle() {
         let said = oracle::crossings(&shape, &ray);
         assert_eq!(said.len(), truth.crossings.len(), "{case}\n{said:?}\n{:?}", truth.crossings);
         for (said, t) in said.iter().zip(&truth.crossings) {
-            let slack = 1e-9 * case.eps(1.0) / (-24f64).exp2() / said.cos.max(1e-9) + 1e-12 * t.abs();
+            let slack = 1e-9 * case.eps(1.0) / ROUNDOFF / said.cos.max(1e-9) + 1e-12 * t.abs();
             assert!((said.t - t).abs() <= slack.max(1e-6 * case.outline.size()), "{case}\n{said:?} {t}");
         }
     }

@@ -13,7 +13,7 @@ use embedded_lathe::Profile;
 use laboratory::cases::{Cast, Outline};
 use laboratory::forms::METHODS;
 use laboratory::hits::Truth;
-use laboratory::{PROMISE, TOUCHING};
+use laboratory::{PROMISE, ROUNDOFF, TOUCHING};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
@@ -49,7 +49,7 @@ fn neck(rng: &mut ChaCha8Rng) -> Option<Neck> {
         base_closed: false,
         top_closed: false,
     };
-    Some(Neck { outline, z: p * f64::from(height), unit: (-24f64).exp2() * sum })
+    Some(Neck { outline, z: p * f64::from(height), unit: ROUNDOFF * sum })
 }
 
 /// Every power of ten as likely as the next.
@@ -81,9 +81,7 @@ fn necks_are_known_as_well_as_their_ordinates() {
         necks += 1;
         for index in 0..RAYS {
             let cast = cast(&mut rng, z, index % 4 == 0);
-            let [x, y, height] = cast.origin.map(f64::from);
-            let distance = x.hypot(y).hypot(height - outline.middle());
-            let truth = Truth::of(&outline, cast, (-24f64).exp2() * (outline.size() + distance));
+            let truth = Truth::of(&outline, cast, outline.unit(cast.origin));
             met += u32::from(!truth.crossings.is_empty());
             for (_, solver, nearest) in METHODS.iter().filter(|(form, ..)| *form == "crate") {
                 let answer = nearest(&outline, &cast);

@@ -35,10 +35,10 @@ pub(crate) use row::{RayRow, RowPart, Seen, Span, Sweep};
 pub use segment::Segment;
 
 use crate::hit::{Hit, Part};
-use crate::math::minmax::greater;
-use crate::math::{cold_path, const_fn};
+use crate::math::const_fn;
 use crate::profile::Profile;
-use crate::vector::{F32x3, largest, saturated, vector};
+use crate::ray::Ray;
+use crate::vector::{F32x3, to_one, vector};
 use frame::{Bounds, EndPlane, Frame, View};
 use segment::{greater_or_nan, power_of_two_for, widened};
 
@@ -197,35 +197,33 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         self.frame.size / self.frame.scale
     }
 
-    /// An outward normal, not of unit length, at a point of the surface in object space, given the hit there:
-    /// on the wall half of the gradient `(2k·x, 2y, −f′(u)/h)` in the lathe's frame; on a cap or a ring, and
-    /// where that gradient vanishes or is NaN, a unit vector along the axis. Its largest component is a
-    /// normal number, neither subnormal nor infinite.
-    pub(crate) fn gradient_at(&self, point: F32x3, hit: &Hit) -> F32x3 {
+    /// A vector along the outward normal at a hit of a ray in object space, its largest component in [1, 4):
+    /// along half of the gradient, `(k·x, y, −f′(u)/2h)`, on the wall; along the axis on a cap or a ring, and
+    /// where the half is zero.
+    ///
+    /// x and y are computed in the frame. A ray that has a hit has a finite origin there, and a finite
+    /// distance to the hit, so the vector is finite; [`to_one`] refuses any other, and NaN.
+    pub(crate) fn gradient(&self, ray: &Ray, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
         let faces_up = match hit.part {
-            Part::Base => Some(frame.base.wall < frame.base.beyond),
-            Part::Top => Some(frame.top.wall > frame.top.beyond),
-            Part::Ring => Some(hit.u > 0.5),
-            Part::Wall => None,
+            Part::Base => frame.base.wall < frame.base.beyond,
+            Part::Top => frame.top.wall > frame.top.beyond,
+            Part::Ring => hit.u > 0.5,
+            Part::Wall => {
+                let gradient = segments.get(hit.segment).and_then(|segment| {
+                    let way = hit.t * (ray.unit * frame.scale);
+                    let p = ray.origin * frame.scale + ray.direction * way;
+                    let (across, along) = segment.weights();
+                    let slope = segment.at(hit.u).1;
+                    to_one(vector([frame.squash * p.x * across, p.y * across, -0.5 * slope * along]))
+                });
+                if let Some((gradient, _)) = gradient {
+                    return gradient;
+                }
+                hit.segment > 0 || hit.u >= 0.5
+            }
         };
-        if let Some(faces_up) = faces_up {
-            return vector([0.0, 0.0, if faces_up { 1.0 } else { -1.0 }]);
-        }
-        // NaN for a segment whose height vanishes in the frame: its 1/h is infinite.
-        let slope = segments.get(hit.segment).map_or(0.0, |segment| segment.at(hit.u).1 * segment.per_height);
-        let (x, y) = (frame.squash * frame.scale * point.x, frame.scale * point.y);
-        let gradient = vector([x, y, -0.5 * slope]);
-        // NaN if the slope is NaN, infinite if any component is.
-        let size = greater(greater(gradient.z.abs(), x.abs()), y.abs());
-        if size >= f32::MIN_POSITIVE && size <= f32::MAX {
-            return gradient;
-        }
-        cold_path();
-        let gradient = saturated(gradient);
-        let is_below = hit.segment == 0 && hit.u < 0.5;
-        let pole = vector([0.0, 0.0, if is_below { -1.0 } else { 1.0 }]);
-        if largest(gradient) >= f32::MIN_POSITIVE { gradient } else { pole }
+        vector([0.0, 0.0, if faces_up { 1.0 } else { -1.0 }])
     }
 }
 

@@ -74,13 +74,8 @@ impl Ray {
     /// its negative.
     #[must_use]
     pub fn at(&self, t: f32) -> [f32; 3] {
-        array(self.point(t))
-    }
-
-    /// Does what [`Ray::at`] does.
-    pub(crate) fn point(&self, t: f32) -> F32x3 {
         let point = self.origin + self.direction * (t * self.unit);
-        if finite(point) { point } else { self.far_at(t) }
+        array(if finite(point) { point } else { self.far_at(t) })
     }
 
     /// Does the same when a product or a sum overflowed, which can happen although the point itself is in

@@ -4,7 +4,7 @@ use crate::hit::Hit;
 use crate::lathe::{Lathe, Segment};
 use crate::math::{Math, Native, UNIT_ROUNDOFF};
 use crate::ray::{Ray, RayError};
-use crate::vector::{F32x3, Vector, array, difference, dot, largest, one_norm, vector};
+use crate::vector::{F32x3, Vector, array, difference, dot, one_norm, vector};
 
 /// A point of a surface.
 ///
@@ -41,7 +41,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// The unit normal at a hit of this lathe by `ray`.
     #[inline]
     pub(crate) fn normal(&self, ray: &Ray, hit: &Hit) -> F32x3 {
-        unit(self.gradient_at(ray.point(hit.t), hit))
+        let gradient = self.gradient(ray, hit);
+        gradient * (1.0 / Native::sqrt(gradient.dot(gradient)))
     }
 
     /// A ray that goes on from a hit of this lathe by `ray`: a reflection, or towards a light. Its origin is
@@ -97,24 +98,4 @@ impl Surface {
         let side = normal * offset.copysign(dot(normal, vector(direction)));
         Ray::new(array(point + side), direction)
     }
-}
-
-/// The unit vector along `v`, which must not be zero.
-///
-/// Most gradients have lengths near 1. Those of very flat and very tall profiles are first divided by their
-/// largest component, so that the square of the length neither overflows nor underflows. A square from 10⁻²⁴
-/// to 10²⁴ needs no division: components below 2⁻²³ of the largest do not change the result, the squares of
-/// all others are normal numbers (10⁻²⁴·2⁻⁴⁶ is 1.4·10⁻³⁸), and so is the inverse of the length.
-#[inline]
-pub(crate) fn unit(v: F32x3) -> F32x3 {
-    let square = v.dot(v);
-    if square > 1e-24 && square < 1e24 { v * (1.0 / Native::sqrt(square)) } else { unit_of_odd_length(v) }
-}
-
-/// The same for a vector whose squared length may overflow or underflow.
-#[cold]
-#[inline(never)]
-fn unit_of_odd_length(v: F32x3) -> F32x3 {
-    let v = v * (1.0 / largest(v));
-    v * (1.0 / Native::sqrt(v.dot(v)))
 }

@@ -52,6 +52,13 @@ pub(crate) const fn sum(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.x + b.x, a.y + b.y, a.z + b.z])
 }
 
+/// a + b·by. It is always inline: where operators are calls, their results stay in memory and are copied from
+/// there.
+#[inline(always)]
+pub(crate) const fn sum_scaled(a: F32x3, b: F32x3, by: f32) -> F32x3 {
+    vector([a.x + b.x * by, a.y + b.y * by, a.z + b.z * by])
+}
+
 /// a − b.
 pub(crate) const fn difference(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.x - b.x, a.y - b.y, a.z - b.z])

@@ -123,6 +123,14 @@ impl Segment {
         Self { slope_jump: if jump <= 0.0 { 0.0 } else { jump }, ..self }
     }
 
+    /// What a gradient's components across the axis, `(k·x, y)`, and along it, `−f′(u)/2`, are multiplied by:
+    /// h and 1, or 1 and 1/h, neither more than 1. So none overflows, however flat or tall the segment is.
+    #[inline(always)]
+    pub(super) fn weights(&self) -> (f32, f32) {
+        let height = self.high - self.low;
+        if height < 1.0 { (height, 1.0) } else { (1.0, self.per_height) }
+    }
+
     /// The squared radius at the upper end, or at the lower: the same bits as the neighbour has there, unless
     /// there is a step between them.
     #[inline(always)]

@@ -7,7 +7,7 @@ use crate::ray::Ray;
 use crate::shade::Views;
 use crate::solid::Solid;
 use crate::solve::Newton;
-use crate::vector::{largest, vector};
+use crate::vector::vector;
 
 /// A solid along a part of a row.
 pub(super) struct SolidRow<'a> {
@@ -72,9 +72,6 @@ fn nearest(solid: &Solid, ray: &Ray) -> Option<Hit> {
 /// What a ray in a solid's own space sees where it hits it.
 #[inline(never)]
 fn seen(solid: &Solid, ray: &Ray, hit: &Hit) -> Seen {
-    let gradient = solid.lathe().gradient_at(ray.point(hit.t), hit);
-    // The gradient is scaled so that its largest component is 1: for very flat or very tall profiles its
-    // square would overflow or underflow.
     let side = if hit.enters { 1.0 } else { -1.0 };
-    Seen::new(gradient * (side / largest(gradient)))
+    Seen::new(solid.lathe().gradient(ray, hit) * side)
 }

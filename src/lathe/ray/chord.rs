@@ -55,7 +55,7 @@ impl<'a> Chord<'a> {
     }
 
     /// The hit at the root s of g, refined.
-    #[inline]
+    #[inline(always)]
     pub fn hit(&self, s: f32, enters: bool) -> Hit {
         let ends = [self.origin + self.from, self.origin + self.to];
         let t = refined(self.ray, self.segment, self.origin + s, ends);
@@ -81,7 +81,7 @@ const REFINING_STEPS: u32 = 12;
 /// step or two suffice, except where a segment comes to a point that is blunt only from very near: there the
 /// root is almost double, and each step halves the error. The last step is one of at most four units of 2⁻²⁴
 /// of t, or of 1, which is at most the largest radius: about what the rounding of t and of g leaves.
-#[inline(never)]
+#[inline(always)]
 fn refined(ray: &LocalRay, segment: &Segment, mut t: f32, [from, to]: [f32; 2]) -> f32 {
     for _ in 0..REFINING_STEPS {
         let [c0, c1, c2, _] = ray.g_about(segment, t).c;

@@ -122,8 +122,7 @@ impl Sweep<'_> {
     #[inline(always)]
     fn before(&self, i: u32, segment: &Segment) -> Before {
         let (bounds, root) = (&self.bounds, &self.root);
-        let ray = self.ray(i);
-        let (path, sign) = (self.path(ray), root.sign);
+        let (path, sign) = (self.path(i), root.sign);
         let frame = bounds.lathe.frame;
         let end = if path.rises() { &frame.base } else { &frame.top };
         // A ray that leaves the solid at the root it sees has come in through an open end: at a cap it would
@@ -137,11 +136,10 @@ impl Sweep<'_> {
         // slope suffices. So g is bounded at that point in any case, even where it lies before `near`.
         let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
-        let UpperBound { g, start } = self.upper_bound(&path, sign, before);
-        if g < -bounds.tolerance {
-            let run = self.certified_run(&path, ray, sign, -g - bounds.tolerance, before);
-            return Before::Clear { until: (i + 1).saturating_add(run) };
-        }
+        let UpperBound { g, start } = match self.below_zero(i, &path, sign, before) {
+            Ok(until) => return Before::Clear { until },
+            Err(bound) => bound,
+        };
         if g < bounds.tolerance {
             return Before::Undecided;
         }

@@ -1,6 +1,6 @@
 //! The rays of neighbouring pixels.
 
-use crate::vector::{F32x3, dot};
+use crate::vector::{F32x3, dot, sum_scaled};
 
 /// The rays of a row of pixels. The ray of pixel i has origin `origin + i·origin_step` and direction
 /// `direction + i·direction_step`; i counts from any point of the row, so that it need not be whole.
@@ -13,25 +13,27 @@ pub(crate) struct RayRow {
 }
 
 impl RayRow {
-    /// The same rays counted backwards: pixel i is what pixel −i was.
-    pub fn reversed(&self) -> Self {
-        Self { origin_step: self.origin_step * -1.0, direction_step: self.direction_step * -1.0, ..*self }
+    /// Counts the rays backwards: pixel i is what pixel −i was.
+    pub fn reverse(&mut self) {
+        self.origin_step *= -1.0;
+        self.direction_step *= -1.0;
     }
 
-    /// The same rays counted from pixel i, with other origins, and a number. Each origin is moved along its
-    /// ray by that number times the ray's direction, so that pixel i's origin comes to where its ray is
-    /// nearest to zero.
+    /// Counts the rays from pixel i, and moves each origin along its ray by the same multiple of the
+    /// direction, which is returned: the one that brings pixel i's origin to where its ray is nearest to
+    /// zero.
     #[inline(always)]
-    pub fn about(&self, i: f32) -> (Self, f32) {
+    pub fn center_on(&mut self, i: f32) -> f32 {
         let (o, d) = self.at(i);
         let shift = -dot(o, d) / dot(d, d);
-        let origin_step = self.origin_step + self.direction_step * shift;
-        (Self { origin: o + d * shift, origin_step, direction: d, ..*self }, shift)
+        (self.origin, self.direction) = (o + d * shift, d);
+        self.origin_step += self.direction_step * shift;
+        shift
     }
 
     /// The origin and the direction of pixel i's ray.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, i: f32) -> (F32x3, F32x3) {
-        (self.origin + self.origin_step * i, self.direction + self.direction_step * i)
+        (sum_scaled(self.origin, self.origin_step, i), sum_scaled(self.direction, self.direction_step, i))
     }
 }

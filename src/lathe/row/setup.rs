@@ -15,7 +15,7 @@ impl Lathe {
     pub(crate) fn sweep(&self, rays: &RayRow, unit: f32, rough: f32, part: &RowPart) -> Sweep<'_> {
         let lathe = self.view();
         let frame = lathe.frame;
-        let rays = RayRow {
+        let mut rays = RayRow {
             origin: frame.squashed(frame.point(rays.origin)),
             origin_step: frame.squashed(rays.origin_step * frame.scale),
             direction: frame.squashed(rays.direction),
@@ -25,20 +25,21 @@ impl Lathe {
         // distance of a far eye is rounded in the same way for all parts. Then from the part's own center.
         let center = part.center();
         let row_center = 0.5 * part.width as f32 - 0.5;
-        let (rays, row_shift) = rays.about(row_center);
-        let is_whole = center == row_center;
-        let (rays, part_shift) = if is_whole { (rays, 0.0) } else { rays.about(center - row_center) };
+        let (mut shift, mut from, mut to) = (0.0, 0.0, row_center);
+        loop {
+            shift += rays.center_on(to - from);
+            if to == center {
+                break;
+            }
+            (from, to) = (to, center);
+        }
 
         let unit = frame.scale * unit;
-        let bounds = RowBounds::new(lathe, &rays, row_shift + part_shift, unit, rough * unit, part);
-        let RayRow { origin, origin_step, direction, direction_step } = rays;
-        let middle = bounds.middle as f32 - 0.5 - center;
-        let (origin, direction) = (origin + origin_step * middle, direction + direction_step * middle);
-        let direction = Direction {
-            rays: RayRow { origin, origin_step, direction, direction_step },
-            is_reversed: false,
-            len: part.end - bounds.middle,
-        };
+        let bounds = RowBounds::new(lathe, &rays, shift, unit, rough * unit, part);
+        let (origin, direction) = rays.at(bounds.middle as f32 - 0.5 - center);
+        let RayRow { origin_step, direction_step, .. } = rays;
+        let rays = RayRow { origin, origin_step, direction, direction_step };
+        let direction = Direction { rays, is_reversed: false, len: part.end - bounds.middle };
         let root = TrackedRoot::none(lathe.segments.first().unwrap_or(&Segment::EMPTY));
         Sweep { bounds, direction, root }
     }

@@ -37,8 +37,7 @@ impl Sweep<'_> {
     /// how many of the next rays do.
     pub(super) fn probe(&self, i: u32) -> Probe {
         let bounds = &self.bounds;
-        let ray = self.ray(i);
-        let path = self.path(ray);
+        let path = self.path(i);
         // A ray that runs level in an end's plane may meet the rim, where g has a jump.
         let frame = bounds.lathe.frame;
         let from_ends = lesser((path.z - frame.low).abs(), (path.z - frame.high).abs());
@@ -46,12 +45,29 @@ impl Sweep<'_> {
             return Probe::MayMeet(None);
         }
         let interval = self.interval(&path);
-        let UpperBound { g, start } = self.upper_bound(&path, 1.0, interval);
-        if !(g < -bounds.tolerance) {
-            return Probe::MayMeet(start);
+        match self.below_zero(i, &path, 1.0, interval) {
+            Ok(to) => Probe::Misses { to },
+            Err(UpperBound { start, .. }) => Probe::MayMeet(start),
         }
-        let run = self.certified_run(&path, ray, 1.0, -g - bounds.tolerance, interval);
-        Probe::Misses { to: (i + 1).saturating_add(run) }
+    }
+
+    /// Whether sign·g stays below zero by more than the tolerance on an interval of the i-th ray: the first
+    /// pixel from there on for which that is not certified, or, if it may not be so on the i-th, the bound
+    /// that says so.
+    #[inline(never)]
+    pub(super) fn below_zero(
+        &self,
+        i: u32,
+        path: &LocalRay,
+        sign: f32,
+        interval: (f32, f32),
+    ) -> Result<u32, UpperBound> {
+        let bound = self.upper_bound(path, sign, interval);
+        let margin = -bound.g - self.bounds.tolerance;
+        if !(margin > 0.0) {
+            return Err(bound);
+        }
+        Ok((i + 1).saturating_add(self.certified_run(path, self.ray(i), sign, margin, interval)))
     }
 
     /// The interval of s, along a ray, whose heights include every height at which this ray can meet the
@@ -65,8 +81,8 @@ impl Sweep<'_> {
 
     /// An upper bound of sign·g between two points of a ray, −∞ if the far one comes before the near one. The
     /// segments are bounded one after another, to the one that has the start.
-    #[inline(never)]
-    pub(super) fn upper_bound(&self, path: &LocalRay, sign: f32, (near, far): (f32, f32)) -> UpperBound {
+    #[inline(always)]
+    fn upper_bound(&self, path: &LocalRay, sign: f32, (near, far): (f32, f32)) -> UpperBound {
         let lathe = self.bounds.lathe;
         let tolerance = self.bounds.tolerance;
         let mut bound = UpperBound { g: f32::NEG_INFINITY, start: None };
@@ -110,8 +126,8 @@ impl Sweep<'_> {
     /// stays, less the square of the distance from the axis. If v is the motion of P from one pixel to the
     /// next, n pixels on g has changed by `−2·n·⟨P, v⟩ − n²·v²`. The largest values of both terms over the
     /// interval are those of two quadratics in s.
-    #[inline(never)]
-    pub(super) fn certified_run(
+    #[inline(always)]
+    fn certified_run(
         &self,
         path: &LocalRay,
         (m, d): (F32x3, F32x3),

@@ -217,7 +217,8 @@ impl Sweep<'_> {
         if bounds.is_mirrored || direction.is_reversed {
             return false;
         }
-        *direction = Direction { rays: direction.rays.reversed(), is_reversed: true, len: bounds.left };
+        direction.rays.reverse();
+        (direction.is_reversed, direction.len) = (true, bounds.left);
         (root.is_tracked, root.end, root.probed) = (false, None, u32::MAX);
         true
     }
@@ -225,12 +226,13 @@ impl Sweep<'_> {
     /// The ray of the given M and D, with s for its t. Not inline: it is rarely called, and from three
     /// functions.
     #[inline(never)]
-    pub(super) fn path(&self, (m, d): (F32x3, F32x3)) -> LocalRay {
+    pub(super) fn path(&self, i: u32) -> LocalRay {
+        let (m, d) = self.ray(i);
         LocalRay::through(m, d)
     }
 
     /// M and D of the i-th ray.
-    #[inline(always)]
+    #[inline]
     pub(super) fn ray(&self, i: u32) -> (F32x3, F32x3) {
         self.direction.rays.at(i as f32 + 0.5)
     }

@@ -38,7 +38,7 @@ use crate::hit::{Hit, Part};
 use crate::math::const_fn;
 use crate::profile::Profile;
 use crate::ray::Ray;
-use crate::vector::{F32x3, to_one, vector};
+use crate::vector::{F32x3, dot_xy, to_one, vector};
 use frame::{Bounds, EndPlane, Frame, View};
 use segment::{greater_or_nan, power_of_two_for, widened};
 
@@ -75,10 +75,25 @@ impl<const N: usize> Lathe<[Segment; N]> {
     /// The lathe of a profile. Cost: some 80 operations a segment, once; none at run time in a `const`.
     #[must_use]
     pub const fn turn(profile: Profile<N>) -> Self {
+        let [low, high] = profile.heights();
+        Self::turn_about(profile, 0.5 * low + 0.5 * high)
+    }
+
+    /// Makes a profile ready as a sheet of a body whose first sheet is another: heights are counted from the middle of that one.
+    /// So where two sheets meet, what a ray does is decided by the same numbers, and it does not slip through: see
+    /// [`Solid::body`](crate::Solid::body). Let the first sheet be the one that all others are beside: what is far from its
+    /// middle is rounded as numbers of that size are.
+    #[must_use]
+    pub const fn turn_beside<const M: usize>(profile: Profile<N>, first: &Profile<M>) -> Self {
+        let [low, high] = first.heights();
+        Self::turn_about(profile, 0.5 * low + 0.5 * high)
+    }
+
+    /// Heights are counted from `middle`.
+    const fn turn_about(profile: Profile<N>, middle: f32) -> Self {
         let len = profile.len;
         let largest = profile.largest();
         let scale = power_of_two_for(largest);
-        let middle = 0.5 * profile.pieces[0].z + 0.5 * profile.pieces[len - 1].top;
         let mut segments = [Segment::EMPTY; N];
         let mut i = 0;
         while i < len {
@@ -92,8 +107,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
         }
         let Bounds { max_slope, curvature, convexity, slope_jumps, steps } = Bounds::of(&segments, len);
         let (low, high) = (segments[0].low, segments[len - 1].high);
-        // The two may differ in magnitude, for the middle is rounded.
-        let half = high.max(-low);
+        // The two may differ in magnitude, for the middle is rounded, and may be another sheet's.
+        let half = high.abs().max(low.abs());
         let bounding_square = widened(largest * scale * scale);
         let root_squash = const_fn::sqrt(profile.squash);
         let size = const_fn::sqrt(bounding_square + half * half);
@@ -176,7 +191,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         View { frame: &self.frame, segments: self.segments.as_ref() }
     }
 
-    /// The height half way between the ends, in object space.
+    /// The height in object space from which heights are counted: half way between the ends, or between those of the first
+    /// sheet of a body.
     pub(crate) const fn middle(&self) -> f32 {
         self.frame.middle
     }
@@ -189,6 +205,20 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// The radius of a cylinder that contains the solid, in object space: infinite for a sheet (k = 0).
     pub(crate) const fn radius(&self) -> f32 {
         self.frame.radius
+    }
+
+    /// As [`Profile::squash`].
+    pub(crate) const fn squash(&self) -> f32 {
+        self.frame.squash
+    }
+
+    /// Whether a point is between the ends, the lower one included, and within the wall.
+    pub(crate) fn is_inside(&self, point: [f32; 3]) -> bool {
+        let frame = &self.frame;
+        let p = frame.squashed(frame.point(vector(point)));
+        let segment = self.view().segments.get(self.view_with_spare().index_at(p.z));
+        let f = segment.map_or(0.0, |segment| segment.at(segment.parameter(p.z)).0);
+        frame.low <= p.z && p.z < frame.high && dot_xy(p, p) < f
     }
 
     /// The radius, in object space, of a ball about the middle of the axis that contains the solid, x scaled

@@ -42,7 +42,7 @@
 //!
 //! ```text
 //! message → valid → math → vector → cubic → bernstein → solve → profile → ray → hit → lathe → surface → color
-//!      → scene_error → light → camera → pose → solid → shade → scene → occlusion → picture → draw
+//!      → scene_error → light → camera → pose → sheet → solid → shade → scene → occlusion → picture → draw
 //! ```
 //!
 //! | stage | from | to |
@@ -162,6 +162,7 @@ mod ray;
 mod scene;
 mod scene_error;
 mod shade;
+mod sheet;
 mod solid;
 mod surface;
 mod valid;
@@ -181,6 +182,7 @@ pub use profile::{End, Profile, ProfileError};
 pub use ray::{Ray, RayError};
 pub use scene::Scene;
 pub use scene_error::SceneError;
+pub use sheet::Sheet;
 pub use solid::Solid;
 pub use surface::Surface;
 

@@ -31,9 +31,10 @@ const SORTED: usize = 8;
 /// computed once for a picture.
 ///
 /// The farthest solids come first, and each is painted over those before it. Where no plane is found between
-/// two solids, they and those ranked between them belong to the block. There is one block at most. It is
-/// painted with a distance for each pixel, in the order of the slice, so that of two solids at the same
-/// distance the first is seen. If there are more than [`SORTED`] solids, all are in the block.
+/// two solids, they and those ranked between them belong to the block, and so does every body, whose sheets
+/// hide one another. There is one block at most. It is painted with a distance for each pixel, in the order
+/// of the slice, so that of two solids at the same distance the first is seen. If there are more than
+/// [`SORTED`] solids, all are in the block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct PaintOrder {
@@ -55,8 +56,14 @@ impl PaintOrder {
         }
         order.sort(solids, camera, 0, solids.len());
         (order.block, order.beyond) = (solids.len(), 0);
-        let mut near = 1;
+        let mut near = 0;
         while near < solids.len() {
+            // A body's sheets hide one another.
+            let index = order.index(near);
+            if index < solids.len() && solids[index].is_body() {
+                order.block = if near < order.block { near } else { order.block };
+                order.beyond = near + 1;
+            }
             let mut far = 0;
             while far < near && !(order.block <= far && near < order.beyond) {
                 if !order.is_parted(solids, camera, far, near) {

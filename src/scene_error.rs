@@ -1,4 +1,4 @@
-use crate::message::Piece::{Number, Text, Vector};
+use crate::message::Piece::{Count, Number, Text, Vector};
 use crate::message::{Message, says};
 
 /// Why numbers do not make a part of a scene, and which numbers they are.
@@ -63,6 +63,27 @@ pub enum SceneError {
         /// The direction given.
         towards: [f32; 3],
     },
+    /// A body has no sheets.
+    NoSheets,
+    /// A sheet of a body is prepared about another height than the first sheet: see
+    /// [`Lathe::turn_beside`](crate::Lathe::turn_beside).
+    SheetMiddle {
+        /// Which sheet, from 1.
+        sheet: usize,
+        /// The height that it is prepared about.
+        middle: f32,
+        /// That of the first sheet.
+        first: f32,
+    },
+    /// A sheet of a body has another squash than the first sheet.
+    SheetSquash {
+        /// Which sheet, from 1.
+        sheet: usize,
+        /// Its squash.
+        squash: f32,
+        /// That of the first sheet.
+        first: f32,
+    },
     /// An ambient share is outside 0 to 1, or NaN.
     Ambient {
         /// The share given.
@@ -111,6 +132,23 @@ impl SceneError {
             Self::LightDirection { towards } => Message::of([
                 Text("the light's direction must be finite and not zero, and is "),
                 Vector(towards),
+            ]),
+            Self::NoSheets => Message::of([Text("a body must have at least one sheet, and has none")]),
+            Self::SheetMiddle { sheet, middle, first } => Message::of([
+                Text("sheet "),
+                Count(sheet),
+                Text(" must be turned beside the first, about the height "),
+                Number(first),
+                Text(", and is turned about "),
+                Number(middle),
+            ]),
+            Self::SheetSquash { sheet, squash, first } => Message::of([
+                Text("sheet "),
+                Count(sheet),
+                Text(" must have the first one's squash, "),
+                Number(first),
+                Text(", and has "),
+                Number(squash),
             ]),
             Self::Ambient { ambient } => {
                 Message::of([Text("the ambient share must be from 0 to 1, and is "), Number(ambient)])

@@ -1,7 +1,7 @@
 //! What color a visible point of a solid has: Lambert's diffuse share of its color, and half of Phong's
 //! highlight.
 
-use crate::color::{Paint, Shades, Share, most_shades};
+use crate::color::{Paint, Rgb, Shades, Share, most_shades};
 use crate::lathe::Seen;
 use crate::light::Light;
 use crate::math::rsqrt;
@@ -22,10 +22,10 @@ pub(crate) struct Finish {
 }
 
 impl Finish {
-    /// The material of a solid in a light, for a display of colors C.
+    /// The material of a solid in a light, for a display of colors C; the color is the solid's, or a sheet's own.
     #[inline(always)]
-    pub fn new<C: Paint>(solid: &Solid, light: &Light) -> Self {
-        let color = solid.color().shades(most_shades::<C>());
+    pub fn new<C: Paint>(solid: &Solid, color: Rgb, light: &Light) -> Self {
+        let color = color.shades(most_shades::<C>());
         let ambient = color.dimmed(Share::of_one(light.ambient));
         Self {
             shininess: solid.shininess(),

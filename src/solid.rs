@@ -1,12 +1,17 @@
-//! A lathe with a place in the world and a color.
+//! A lathe, or several that bound one body, with a place in the world and a color.
 
 use crate::color::Rgb;
 use crate::hit::Hit;
 use crate::lathe::Lathe;
+use crate::math::minmax::greater;
 use crate::pose::Pose;
 use crate::ray::{Ray, RayError};
+use crate::scene_error::SceneError;
+use crate::sheet::Sheet;
+use crate::solve::Newton;
 use crate::surface::Surface;
-use crate::vector::{F32x3, array, difference, one_norm, scale, sum};
+use crate::vector::{F32x3, array, difference, one_norm, scale, sum, vector};
+use heapless::Vec;
 
 /// A turned solid in the world: its shape, its pose, its color and how shiny it is.
 ///
@@ -20,7 +25,9 @@ use crate::vector::{F32x3, array, difference, one_norm, scale, sum};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid<'a> {
-    lathe: &'a Lathe,
+    first: Sheet<'a>,
+    /// The other sheets of a body.
+    rest: &'a [Sheet<'a>],
     pose: Pose,
     color: Rgb,
     shininess: u8,
@@ -30,7 +37,68 @@ impl<'a> Solid<'a> {
     /// A matt solid in the pose [`Pose::IDENTITY`].
     #[must_use]
     pub const fn new(lathe: &'a Lathe, color: Rgb) -> Self {
-        Self { lathe, pose: Pose::IDENTITY, color, shininess: 0 }
+        Self { first: Sheet::outer(lathe), rest: &[], pose: Pose::IDENTITY, color, shininess: 0 }
+    }
+
+    /// A matt body bounded by several sheets about one axis, in the pose [`Pose::IDENTITY`].
+    ///
+    /// A closed outline that goes up and comes down again, or turns back in height, is cut where it turns. A sheet whose
+    /// material is inside of it is an outer one, a sheet whose material is outside an inner one. Where two of them meet in a
+    /// rim, the flat ring between them, if there is one, belongs to either: as a step at its end.
+    ///
+    /// ```
+    /// use embedded_lathe::*;
+    ///
+    /// // A cup: its wall, with the rim as a step at the top, and its hollow, which ends there.
+    /// const WALL: Profile<1> = valid!(Profile::from_squared_radii(
+    ///     &[0.0, 1.0, 1.0],
+    ///     &[0.16, 0.2, 0.22, 0.25, 0.2],
+    /// )?
+    /// .base(End::Capped));
+    /// const HOLLOW: Profile<1> = valid!(Profile::from_squared_radii(&[0.1, 1.0], &[0.12, 0.16, 0.18, 0.2])?.base(End::Capped));
+    ///
+    /// static SHEETS: [Lathe<[Segment; 1]>; 2] = [Lathe::turn(WALL), Lathe::turn_beside(HOLLOW, &WALL)];
+    /// static CUP: [Sheet; 2] = [Sheet::outer(&SHEETS[0]), Sheet::inner(&SHEETS[1]).colored(Rgb::WHITE)];
+    /// static SOLIDS: [Solid; 1] = [valid!(Solid::body(&CUP, Rgb::new(0.2, 0.3, 0.7)))];
+    ///
+    /// let down = Ray::new([0.1, 0.0, 3.0], [0.0, 0.0, -1.0])?;
+    /// let bottom = SOLIDS[0].nearest(&down, 0.0).unwrap();
+    /// assert!((bottom.t - 2.9).abs() < 1e-6 && bottom.enters);
+    /// assert_eq!(SOLIDS[0].surface(&down, &bottom).normal, [0.0, 0.0, 1.0]);
+    /// assert!(SOLIDS[0].is_inside([0.1, 0.0, 0.05]) && !SOLIDS[0].is_inside([0.1, 0.0, 0.5]));
+    /// # Ok::<(), RayError>(())
+    /// ```
+    ///
+    /// # Inside
+    ///
+    /// A point is inside the body if more outer sheets than inner ones hold it; a sheet holds what is between its ends and
+    /// within its wall. A closed outline makes that one or none. Crossings are those of the sheets, and [`Hit::enters`] says
+    /// whether the ray enters the material. Of sheets that leave gaps, or overlap, all crossings are reported all the same.
+    ///
+    /// No ray slips between two sheets that meet at a height, with a squared radius that is the same number in both profiles.
+    /// For that they are prepared about one height, the first by [`Lathe::turn`], the others by [`Lathe::turn_beside`] the first,
+    /// and all of them are traversed: a hit that the fast path finds may be one that grazes a rim, and by the traversal passes it.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NoSheets`] if there is none, [`SceneError::SheetMiddle`] if one is not prepared about the height that the
+    /// first one is, and [`SceneError::SheetSquash`] if one is not squashed as the first one is.
+    pub const fn body(sheets: &'a [Sheet<'a>], color: Rgb) -> Result<Self, SceneError> {
+        let [first, rest @ ..] = sheets else {
+            return Err(SceneError::NoSheets);
+        };
+        let (own, mut sheet) = (first.lathe(), 1);
+        while sheet < sheets.len() {
+            let other = sheets[sheet].lathe();
+            if other.middle() != own.middle() {
+                return Err(SceneError::SheetMiddle { sheet, middle: other.middle(), first: own.middle() });
+            }
+            if other.squash() != own.squash() {
+                return Err(SceneError::SheetSquash { sheet, squash: other.squash(), first: own.squash() });
+            }
+            sheet += 1;
+        }
+        Ok(Self { first: *first, rest, pose: Pose::IDENTITY, color, shininess: 0 })
     }
 
     /// This solid in another pose.
@@ -52,10 +120,26 @@ impl<'a> Solid<'a> {
         Self { shininess: exponent, ..self }
     }
 
-    /// Its shape.
+    /// Its shape; of a body, the first sheet's.
     #[must_use]
     pub const fn lathe(&self) -> &'a Lathe {
-        self.lathe
+        self.first.lathe()
+    }
+
+    /// Its sheets, the first one first: of a solid that is no body, its lathe as an outer sheet.
+    pub fn sheets(&self) -> impl Iterator<Item = &Sheet<'a>> {
+        core::iter::once(&self.first).chain(self.rest)
+    }
+
+    /// The sheet of that number, from 0 on.
+    #[inline(always)]
+    pub(crate) fn sheet(&self, number: usize) -> Option<&Sheet<'a>> {
+        if number == 0 { Some(&self.first) } else { self.rest.get(number - 1) }
+    }
+
+    /// Whether it has more than one sheet.
+    pub(crate) const fn is_body(&self) -> bool {
+        !self.rest.is_empty()
     }
 
     /// Its position, rotation and scale.
@@ -76,23 +160,81 @@ impl<'a> Solid<'a> {
         self.shininess
     }
 
-    /// The nearest crossing of a ray of the world beyond `t_min`, as [`Lathe::nearest`].
+    /// The nearest crossing of a ray of the world beyond `t_min`, as [`Lathe::nearest`]. Of a body, segments are counted from
+    /// sheet to sheet: those of the second one go on where the first one's end.
     #[must_use]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
-        self.lathe.nearest(&self.ray_into(ray), t_min)
+        let ray = &self.ray_into(ray);
+        if !self.is_body() {
+            return self.lathe().nearest(ray, t_min);
+        }
+        let (mut nearest, mut segments) = (None, 0);
+        for sheet in self.sheets() {
+            if let Some(hit) = sheet.lathe().nearest_by::<Newton>(ray, t_min)
+                && nearest.is_none_or(|nearest: Hit| hit.t < nearest.t)
+            {
+                nearest = Some(Hit { segment: segments + hit.segment, ..sheet.hit(hit) });
+            }
+            segments += sheet.lathe().segments();
+        }
+        nearest
     }
 
     /// Whether a ray of the world crosses the solid beyond `t_min`, as [`Lathe::is_hit`].
     #[must_use]
     pub fn is_hit(&self, ray: &Ray, t_min: f32) -> bool {
-        self.lathe.is_hit(&self.ray_into(ray), t_min)
+        self.nearest(ray, t_min).is_some()
     }
 
-    /// The point and the normal of a hit, in the world, as [`Lathe::surface`].
+    /// The crossings of a ray of the world beyond `t_min`, in order, as [`Lathe::hits`]: the C nearest ones, if there are more.
+    /// A sheet of n segments is crossed 4·n + 1 times at most.
+    #[must_use]
+    pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
+        let ray = &self.ray_into(ray);
+        let (mut hits, mut segments) = (Vec::new(), 0);
+        for sheet in self.sheets() {
+            let see = |hit: Hit| insert(&mut hits, Hit { segment: segments + hit.segment, ..sheet.hit(hit) });
+            if self.is_body() {
+                sheet.lathe().each_hit_by::<Newton>(ray, t_min, see);
+            } else {
+                sheet.lathe().each_hit(ray, t_min, see);
+            }
+            segments += sheet.lathe().segments();
+        }
+        hits
+    }
+
+    /// Whether a point of the world is inside the solid: if its sheet holds it, or more outer sheets of a body than inner ones.
+    #[must_use]
+    pub fn is_inside(&self, point: [f32; 3]) -> bool {
+        let point = array(self.pose.point_into(vector(point)));
+        let sides = self.sheets().filter(|sheet| sheet.lathe().is_inside(point));
+        sides.map(|sheet| if sheet.is_inner() { -1 } else { 1 }).sum::<i32>() > 0
+    }
+
+    /// The sheet that was hit.
+    #[must_use]
+    pub fn sheet_of(&self, hit: &Hit) -> &Sheet<'a> {
+        self.located(hit).0
+    }
+
+    /// The sheet that was hit, and the hit with that sheet's own number of the segment.
+    fn located(&self, hit: &Hit) -> (&Sheet<'a>, Hit) {
+        let (mut sheet, mut segment) = (&self.first, hit.segment);
+        for next in self.rest {
+            let Some(after) = segment.checked_sub(sheet.lathe().segments()) else { break };
+            (sheet, segment) = (next, after);
+        }
+        (sheet, Hit { segment, ..*hit })
+    }
+
+    /// The point and the normal of a hit, in the world, as [`Lathe::surface`]: the normal points out of the material.
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        let normal = self.lathe.normal(&self.ray_into(ray), hit);
-        Surface { point: ray.at(hit.t), normal: array(self.pose.rotation.turn(normal)) }
+        let (sheet, hit) = self.located(hit);
+        let normal = self.pose.rotation.turn(sheet.lathe().normal(&self.ray_into(ray), &hit));
+        let normal = if sheet.is_inner() { normal * -1.0 } else { normal };
+        Surface { point: ray.at(hit.t), normal: array(normal) }
     }
 
     /// A ray of the world that goes on from a hit of this solid, as [`Lathe::spawn`]. The offset is
@@ -120,7 +262,8 @@ impl<'a> Solid<'a> {
     /// Those of [`Ray::new`]: for `direction`, and for a starting point beyond f32's range.
     pub fn spawn(&self, ray: &Ray, hit: &Hit, direction: [f32; 3]) -> Result<Ray, RayError> {
         let Pose { position, scale, .. } = self.pose;
-        let own = scale * (4.0 * self.lathe.ball() + self.lathe.middle().abs());
+        let ball = self.sheets().map(|sheet| sheet.lathe().ball()).fold(0.0, greater);
+        let own = scale * (4.0 * ball + self.lathe().middle().abs());
         let lengths = own + one_norm(difference(ray.origin, position)) + one_norm(ray.origin);
         self.surface(ray, hit).spawn(direction, lengths)
     }
@@ -151,7 +294,7 @@ impl<'a> Solid<'a> {
         // The positions are subtracted first: if the smaller vector were added to a large position before, it
         // would be lost to rounding.
         let to_position = difference(self.pose.position, point);
-        sum(to_position, scale(self.axis(), self.lathe.middle() * self.pose.scale))
+        sum(to_position, scale(self.axis(), self.lathe().middle() * self.pose.scale))
     }
 
     /// The unit vector along the solid's axis, in the world.
@@ -161,14 +304,36 @@ impl<'a> Solid<'a> {
 
     /// Half the height of the cylinder around the solid, in the world.
     pub(crate) const fn half_height(&self) -> f32 {
-        self.lathe.half_height() * self.pose.scale
+        let (mut largest, mut i) = (self.lathe().half_height(), 0);
+        while i < self.rest.len() {
+            largest = largest.max(self.rest[i].lathe().half_height());
+            i += 1;
+        }
+        largest * self.pose.scale
     }
 
     /// The radius of the cylinder around the solid, in the world. Infinite if the squash k is zero: then the
     /// solid is endless along x.
     pub(crate) const fn radius(&self) -> f32 {
-        self.lathe.radius() * self.pose.scale
+        let (mut largest, mut i) = (self.lathe().radius(), 0);
+        while i < self.rest.len() {
+            largest = largest.max(self.rest[i].lathe().radius());
+            i += 1;
+        }
+        largest * self.pose.scale
     }
+}
+
+/// Puts a hit where it belongs among others in order; if there is no room for all, the farthest is left out.
+fn insert<const C: usize>(hits: &mut Vec<Hit, C>, mut hit: Hit) {
+    let mut is_behind = false;
+    for other in hits.iter_mut() {
+        is_behind |= hit.t < other.t;
+        if is_behind {
+            core::mem::swap(other, &mut hit);
+        }
+    }
+    let _ = hits.push(hit);
 }
 
 #[cfg(feature = "defmt")]

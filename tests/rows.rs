@@ -11,7 +11,8 @@ mod scenes;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_lathe::{
-    Background, Camera, End, Lathe, Light, Paint, Pose, Profile, Ray, Rgb, Rotation, Scene, Solid,
+    Background, Camera, End, Lathe, Light, Paint, Pose, Profile, Ray, Rgb, Rotation, Scene, Segment, Sheet,
+    Solid,
 };
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -48,6 +49,7 @@ impl Known<'_> {
         let colors = seen.map(|(hit, solid, color)| {
             let normal = solid.surface(ray, hit).normal;
             let side = if hit.enters { 1.0 } else { -1.0 };
+            let color = solid.sheet_of(hit).color().unwrap_or(**color);
             let nl = side * (0..3).map(|i| normal[i] * self.towards[i]).sum::<f32>() / length;
             let share = self.ambient + (1.0 - self.ambient) * nl.max(0.0);
             Rgb::new(color.r * share, color.g * share, color.b * share)
@@ -112,20 +114,12 @@ fn steps(a: Rgb565, b: Rgb565) -> u8 {
 fn the_reference_scenes_are_those_of_single_rays() {
     // The light of the scenes, their colors without gloss: the test knows no more than Lambert.
     let (towards, ambient) = ([-0.5, -0.7, 0.5], 0.15);
-    let colors = [scenes::CLAY, Rgb::new(0.8, 0.75, 0.3), Rgb::new(0.45, 0.6, 0.45)];
-    let (bowl, knob) = ([Rgb::new(0.3, 0.6, 0.7)], [Rgb::gray(0.75)]);
-    let (board, light, dark) = (Rgb::new(0.35, 0.22, 0.15), Rgb::gray(0.85), Rgb::gray(0.3));
     for (name, scene) in scenes::NAMED {
         let matt: Vec<Solid> = scene.solids.iter().map(|solid| solid.shiny(0)).collect();
-        let colors = match name {
-            "bowl" => &bowl[..],
-            "knob" => &knob,
-            "pawns" => &[board, light, light, light, dark, dark, dark],
-            _ => &colors,
-        };
+        let colors: Vec<Rgb> = matt.iter().map(Solid::color).collect();
         let scene = scene.with_solids(&matt).with_background(BLACK);
         let mut difference = Difference::default();
-        difference.add(&Known { scene, colors, towards, ambient }, 240, name);
+        difference.add(&Known { scene, colors: &colors, towards, ambient }, 240, name);
         difference.assert_none();
     }
 }
@@ -169,6 +163,75 @@ fn random_scenes_are_those_of_single_rays() {
 fn random_upright_scenes_are_those_of_single_rays() {
     // An even number of columns: a row's halves may be each other's mirror image.
     random_scenes(48, upright_camera);
+}
+
+/// A cup with a flat rim, whose hollow has a color of its own; a torus; a mushroom with an undercut.
+fn bodies() -> [Vec<(Profile<2>, bool, Option<Rgb>)>; 3] {
+    let profile = |knots: &[f32], ordinates: &[f32]| Profile::from_squared_radii(knots, ordinates).unwrap();
+    let white = Some(Rgb::new(0.9, 0.9, 0.7));
+    [
+        vec![
+            (profile(&[0.0, 1.0, 1.0], &[0.16, 0.2, 0.22, 0.25, 0.2]).base(End::Capped), false, None),
+            (profile(&[0.1, 1.0], &[0.12, 0.16, 0.18, 0.2]).base(End::Capped), true, white),
+        ],
+        vec![
+            (profile(&[-0.25, 0.25], &[0.25, 0.62, 0.62, 0.25]), false, None),
+            (profile(&[-0.25, 0.25], &[0.25, 0.05, 0.05, 0.25]), true, None),
+        ],
+        vec![
+            (profile(&[0.4, 0.9], &[0.36, 0.4, 0.3, 0.0]), false, white),
+            (profile(&[0.0, 0.5], &[0.04, 0.03, 0.03, 0.04]).base(End::Capped), false, None),
+            (profile(&[0.4, 0.5, 0.5], &[0.36, 0.3, 0.3, 0.25, 0.04]), true, None),
+        ],
+    ]
+}
+
+/// The sheets of a body, given their lathes, and each one's side and color.
+fn sheets_of<'a>(
+    lathes: &'a [Lathe<[Segment; 2]>],
+    sheets: &[(Profile<2>, bool, Option<Rgb>)],
+) -> Vec<Sheet<'a>> {
+    let sheet = |(lathe, (_, is_inner, color)): (&'a Lathe<[Segment; 2]>, &(_, bool, Option<Rgb>))| {
+        let sheet = if *is_inner { Sheet::inner(lathe) } else { Sheet::outer(lathe) };
+        color.map_or(sheet, |color| sheet.colored(color))
+    };
+    lathes.iter().zip(sheets).map(sheet).collect()
+}
+
+/// Bodies alone, beside solids, and through one another.
+#[test]
+fn bodies_are_those_of_single_rays() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1995);
+    let lathes = bodies().map(|sheets| {
+        let turned = sheets.iter().map(|(profile, ..)| Lathe::turn_beside(*profile, &sheets[0].0));
+        (turned.collect::<Vec<_>>(), sheets)
+    });
+    let sheets = lathes.each_ref().map(|(lathes, sheets)| sheets_of(lathes, sheets));
+    let colors = [Rgb::new(0.9, 0.5, 0.3), Rgb::new(0.3, 0.4, 0.9)];
+    let mut difference = Difference::default();
+    for number in 0..number_of_scenes() / 4 {
+        let other = random_lathe(&mut rng);
+        let mut pose = || {
+            let turn = Rotation::about_x(even(&mut rng, -3.0, 3.0))
+                .then(Rotation::about_z(even(&mut rng, -3.0, 3.0)));
+            Pose::new([even(&mut rng, -0.5, 0.5), 0.2, 0.1], turn, even(&mut rng, 0.5, 1.5)).unwrap()
+        };
+        let (first, second) = (pose(), pose());
+        let body = |i: usize, color| Solid::body(&sheets[i % 3], color).unwrap();
+        let beside = if number % 2 == 0 {
+            Solid::new(&other, colors[1])
+        } else {
+            body(1 + number as usize, colors[1])
+        };
+        let solids = [body(number as usize, colors[0]).posed(first), beside.posed(second)];
+        let camera = if rng.random() { random_camera(&mut rng) } else { upright_camera(&mut rng) };
+        let towards = [even(&mut rng, -1.0, 1.0), -1.0, 0.5];
+        let solids = &solids[..rng.random_range(1..=2)];
+        let scene = Scene::new(solids, camera, Light::new(towards, 0.2).unwrap());
+        let known = Known { scene, colors: &colors, towards, ambient: 0.2 };
+        difference.add(&known, 48, &format!("scene {number}"));
+    }
+    difference.assert_none();
 }
 
 /// Solids around the axis and one above another over a wide disc, some upright: painted one over the other

@@ -1,5 +1,5 @@
-//! Which of several solids a pixel shows if no plane separates them: the nearest, by the distances that their
-//! sweeps find.
+//! Which of several solids, or of a body's sheets, a pixel shows if no plane separates them: the nearest, by the
+//! distances that their sweeps find.
 
 use super::solid_row::{SolidRays, SolidRow};
 use crate::math::cold_path;
@@ -101,13 +101,14 @@ impl Depths<'_> {
         };
         let t = match distance {
             Distance::Cast(t) => t,
-            Distance::Swept(_) => rays.distance(None, column),
+            Distance::Swept(_) => rays.distance(column),
         };
         let mut before = -*nearest;
         if before < 0.0 {
-            before = f32::INFINITY;
-            for rank in self.first..self.rank {
-                before = lesser(before, rays.distance(self.solids.get(self.order.index(rank)), column));
+            before = rays.distance_before(column);
+            let ranks = self.first..self.rank;
+            for solid in ranks.filter_map(|rank| self.solids.get(self.order.index(rank))) {
+                before = lesser(before, rays.distance_of(solid, column));
             }
         }
         *nearest = -lesser(before, t);

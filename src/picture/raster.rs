@@ -102,20 +102,24 @@ impl Raster<'_> {
         }
     }
 
-    /// Paints a solid on the pixels of `run` that see it and that `depth` says show it. `run` begins in
-    /// column x.
+    /// Paints a solid, a body sheet by sheet, on the pixels of `run` that see it and that `depth` says show it.
+    /// `run` begins in column x.
     #[inline(never)]
     fn solid<C: Paint, D: Depth>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depth: &mut D) {
-        let mut along = SolidRow::new(solid, row, (x, x + run.len() as u32), D::COUNTS);
-        if along.sweep.is_culled() {
-            return;
-        }
-        depth.begin(&along);
-        let finish = Finish::new::<C>(solid, self.light);
-        let mut canvas = Canvas::new(finish, &along, (x, row.y), run, depth);
-        canvas.half_row(&mut along);
-        if along.sweep.reverse() {
+        let mut number = 0;
+        while let Some(sheet) = solid.sheet(number) {
+            let mut along = SolidRow::new(solid, (number, sheet), row, (x, x + run.len() as u32), D::COUNTS);
+            number += 1;
+            if along.sweep.is_culled() {
+                continue;
+            }
+            depth.begin(&along);
+            let finish = Finish::new::<C>(solid, sheet.color().unwrap_or(solid.color()), self.light);
+            let mut canvas = Canvas::new(finish, &along, (x, row.y), run, depth);
             canvas.half_row(&mut along);
+            if along.sweep.reverse() {
+                canvas.half_row(&mut along);
+            }
         }
     }
 }

@@ -3,11 +3,14 @@
 use crate::camera::{Projection, Row};
 use crate::hit::Hit;
 use crate::lathe::{RayRow, RowPart, Seen, Sweep};
+use crate::math::minmax::lesser;
 use crate::ray::Ray;
 use crate::shade::Views;
+use crate::sheet::Sheet;
 use crate::solid::Solid;
 use crate::solve::Newton;
 use crate::vector::vector;
+use core::ops::Range;
 
 /// A solid along a part of a row.
 pub(super) struct SolidRow<'a> {
@@ -16,17 +19,26 @@ pub(super) struct SolidRow<'a> {
     pub sweep: Sweep<'a>,
 }
 
-/// The rays of a row of pixels, cast at a solid one by one.
+/// The rays of a row of pixels, cast at a sheet of a solid one by one.
 pub(super) struct SolidRays<'a> {
     solid: &'a Solid<'a>,
+    /// The sheet, and its number.
+    sheet: &'a Sheet<'a>,
+    number: usize,
     row: &'a Row<'a>,
 }
 
 impl<'a> SolidRow<'a> {
-    /// Sets up a solid's sweep along the columns of a row from `start` to before `end`. `has_depth` is
-    /// whether distances are compared with those of other solids.
+    /// Sets up the sweep of a solid's sheet, of the given number, along the columns of a row from `start` to before
+    /// `end`. `has_depth` is whether distances are compared with those of other sheets and solids.
     #[inline(never)]
-    pub fn new(solid: &'a Solid<'a>, row: &'a Row<'a>, (start, end): (u32, u32), has_depth: bool) -> Self {
+    pub fn new(
+        solid: &'a Solid<'a>,
+        (number, sheet): (usize, &'a Sheet<'a>),
+        row: &'a Row<'a>,
+        (start, end): (u32, u32),
+        has_depth: bool,
+    ) -> Self {
         let Ray { origin, direction, unit } = solid.ray_into(&row.ray(0));
         let (step, projection) = row.step();
         let (step, none) = (solid.direction_into(step), vector([0.0; 3]));
@@ -36,42 +48,60 @@ impl<'a> SolidRow<'a> {
         };
         let rays = RayRow { origin, origin_step, direction, direction_step };
         let part = RowPart { width: row.width, start, end, has_depth };
-        let sweep = solid.lathe().sweep(&rays, unit, row.origin_bound(), &part);
+        let sweep = sheet.lathe().sweep(&rays, unit, row.origin_bound(), &part);
         let views = Views { first: direction, step: direction_step };
-        Self { rays: SolidRays { solid, row }, views, sweep }
+        Self { rays: SolidRays { solid, sheet, number, row }, views, sweep }
     }
 
     /// Casts the ray of a column, which is that of the i-th pixel or of its mirror image, and tells the sweep
-    /// of a hit. Returns what the ray sees of the solid and at which t; `None` if it misses.
+    /// of a hit. Returns what the ray sees of the sheet and at which t; `None` if it misses.
     #[inline(never)]
     pub fn cast(&mut self, i: u32, column: u32) -> Option<(Seen, f32)> {
-        let SolidRays { solid, row } = self.rays;
+        let SolidRays { solid, sheet, row, .. } = self.rays;
         let ray = solid.ray_into(&row.ray(column));
-        let hit = nearest(solid, &ray)?;
+        let hit = nearest(sheet, &ray)?;
         self.sweep.found(i, &hit);
-        Some((seen(solid, &ray, &hit), hit.t))
+        Some((seen(sheet, &ray, &hit), hit.t))
     }
 }
 
 impl SolidRays<'_> {
-    /// The t at which a column's ray meets a solid first, this one or another; infinite if it misses.
+    /// The t at which a column's ray first meets the sheet; infinite if it misses.
+    pub fn distance(&self, column: u32) -> f32 {
+        self.least(self.solid, self.number..self.number + 1, column)
+    }
+
+    /// The t at which a column's ray first meets the sheets before this one; infinite if it misses.
+    pub fn distance_before(&self, column: u32) -> f32 {
+        self.least(self.solid, 0..self.number, column)
+    }
+
+    /// The t at which a column's ray first meets another solid; infinite if it misses.
+    pub fn distance_of(&self, other: &Solid, column: u32) -> f32 {
+        self.least(other, 0..usize::MAX, column)
+    }
+
+    /// The t at which a column's ray first meets any of those sheets of a solid; infinite if it misses.
     #[inline(never)]
-    pub fn distance(&self, other: Option<&Solid>, column: u32) -> f32 {
-        let solid = other.unwrap_or(self.solid);
-        nearest(solid, &solid.ray_into(&self.row.ray(column))).map_or(f32::INFINITY, |hit| hit.t)
+    fn least(&self, solid: &Solid, sheets: Range<usize>, column: u32) -> f32 {
+        let ray = solid.ray_into(&self.row.ray(column));
+        let sheets = sheets.map_while(|number| solid.sheet(number));
+        let distances = sheets.filter_map(|sheet| nearest(sheet, &ray)).map(|hit| hit.t);
+        distances.fold(f32::INFINITY, lesser)
     }
 }
 
-/// The first hit of a solid by a ray in the solid's own space, or `None`. It is found as [`Solid::nearest`]
+/// The first hit of a sheet by a ray in its solid's own space, or `None`. It is found as [`Solid::nearest`]
 /// finds it, so that where the sweep is undecided both agree.
 #[inline(never)]
-fn nearest(solid: &Solid, ray: &Ray) -> Option<Hit> {
-    solid.lathe().nearest_by::<Newton>(ray, 0.0)
+fn nearest(sheet: &Sheet, ray: &Ray) -> Option<Hit> {
+    sheet.lathe().nearest_by::<Newton>(ray, 0.0)
 }
 
-/// What a ray in a solid's own space sees where it hits it.
+/// What a ray in a solid's own space sees where it hits a sheet: the normal on the ray's side, whichever side the
+/// material is on.
 #[inline(never)]
-fn seen(solid: &Solid, ray: &Ray, hit: &Hit) -> Seen {
+fn seen(sheet: &Sheet, ray: &Ray, hit: &Hit) -> Seen {
     let side = if hit.enters { 1.0 } else { -1.0 };
-    Seen::new(solid.lathe().gradient(ray, hit) * side)
+    Seen::new(sheet.lathe().gradient(ray, hit) * side)
 }

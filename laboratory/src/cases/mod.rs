@@ -2,11 +2,13 @@
 //!
 //! `case(&outline(name), family, seed, index)` makes the same ray every time; a [`Case`] prints all it is made of.
 
+mod bodies;
 mod family;
 mod outline;
 mod place;
 mod stepped;
 
+pub use bodies::{Body, Expected, bodies};
 pub use family::Family;
 pub use outline::{Outline, outline, outlines};
 pub use stepped::stepped_outlines;

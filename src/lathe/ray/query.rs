@@ -19,45 +19,69 @@ impl<const N: usize> Lathe<[Segment; N]> {
     /// vector cannot overflow.
     #[must_use]
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        match self.view_with_spare().fast_path(ray, t_min) {
-            Decision::Miss => Vec::new(),
-            Decision::Hit(nearest) => self.hits_on::<Newton, C>(ray, t_min, Some(nearest)),
-            Decision::Undecided => self.hits_on::<Newton, C>(ray, t_min, None),
-        }
+        let mut hits = room::<N, C>();
+        self.each_hit(ray, t_min, |hit| {
+            let _ = hits.push(hit);
+        });
+        hits
     }
 
     /// [`Lathe::hits`] with the solver S, by the traversal alone.
     #[must_use]
     pub fn hits_by<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
-        self.hits_on::<S, C>(ray, t_min, None)
+        let mut hits = room::<N, C>();
+        self.each_hit_by::<S>(ray, t_min, |hit| {
+            let _ = hits.push(hit);
+        });
+        hits
+    }
+}
+
+/// Room for C hits of a lathe of N segments, which must be enough for all that there can be.
+fn room<const N: usize, const C: usize>() -> Vec<Hit, C> {
+    const {
+        assert!(C > 4 * N, "a ray can meet a lathe of N segments 4·N + 1 times");
+    }
+    Vec::new()
+}
+
+impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
+    /// Hands over all crossings beyond `t_min`, in order, as [`Lathe::hits`] has them.
+    pub(crate) fn each_hit(&self, ray: &Ray, t_min: f32, see: impl FnMut(Hit)) {
+        match self.view_with_spare().fast_path(ray, t_min) {
+            Decision::Miss => {}
+            Decision::Hit(nearest) => self.each_hit_on::<Newton>(ray, t_min, Some(nearest), see),
+            Decision::Undecided => self.each_hit_on::<Newton>(ray, t_min, None, see),
+        }
+    }
+
+    /// The same by a traversal alone, with the solver S.
+    pub(crate) fn each_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32, see: impl FnMut(Hit)) {
+        self.each_hit_on::<S>(ray, t_min, None, see);
     }
 
     /// All crossings beyond `t_min` by the traversal, after `nearest`, if the fast path has found that. The
     /// traversal finds this crossing again, a rounding earlier or later, and it is left out; if `t_min` lies
     /// between the two, the traversal does not report it. Each t is at least the one before it: where
     /// rounding puts a wall before the cap at its rim, the wall's t is raised.
-    fn hits_on<S: Solver, const C: usize>(&self, ray: &Ray, t_min: f32, nearest: Option<Hit>) -> Vec<Hit, C> {
-        const {
-            assert!(C > 4 * N, "a ray can meet a lathe of N segments 4·N + 1 times");
-        }
-        let mut hits = Vec::<Hit, C>::from_iter(nearest);
+    fn each_hit_on<S: Solver>(&self, ray: &Ray, t_min: f32, nearest: Option<Hit>, mut see: impl FnMut(Hit)) {
         let local = LocalRay::new(&self.frame, ray);
-        let _: Option<()> = traverse::<S, _>(self.view(), &local, t_min, |hit| {
-            match hits.last() {
-                // The crossing that the fast path has found.
-                Some(_) if nearest.is_some() && hits.len() == 1 && hit.enters => {}
-                last => {
-                    let t = last.map_or(hit.t, |last| greater(last.t, hit.t));
-                    let _ = hits.push(Hit { t, ..hit });
-                }
+        let (mut count, mut last) = (0, f32::NEG_INFINITY);
+        let mut next = |hit: Hit| {
+            // The crossing that the fast path has found, again.
+            if !(nearest.is_some() && count == 1 && hit.enters) {
+                last = greater(last, hit.t);
+                see(Hit { t: last, ..hit });
             }
+            count += 1;
+        };
+        nearest.map(&mut next);
+        let _: Option<()> = traverse::<S, _>(self.view(), &local, t_min, |hit| {
+            next(hit);
             ControlFlow::Continue(())
         });
-        hits
     }
-}
 
-impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// Returns the nearest crossing with t > `t_min`, or `None` if there is none.
     ///
     /// For most rays that come from outside, the fast path evaluates one segment or two, found by binary

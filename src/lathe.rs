@@ -2,17 +2,19 @@
 //!
 //! ```text
 //! Ray ─┬─ LocalRay ───── Chord ─────────────── Cubic ──────── crossings ── Hit
-//!      │  the ray in     its part in one       g about the    where g
-//!      │  the lathe's    segment's slab        chord's        changes
-//!      │  own frame                            narrowest      sign
+//!      │  the ray in     its part in one       g about a      where g
+//!      │  the lathe's    segment's slab        point of       changes
+//!      │  own frame                            the chord      sign
 //!      └─ fast path: most rays need no more
 //! ```
 //!
-//! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. Heights are linear in u, so g
-//! is a cubic along a chord. It is formed about the chord's point nearest to the axis, so all its
-//! coefficients have the size of the segment, however far away the ray's origin is and however steep the ray.
-//! A chord is passed over if its nearest point lies outside the segment's bounding cylinder, unless the ray
-//! is inside the solid where the chord begins.
+//! `g = f(u) − (k·x² + y²)` is positive inside the solid and negative outside. f(u) is the squared radius of
+//! the wall at the parameter u, which goes from 0 to 1 over the height of a segment. The height is linear in
+//! u, so g is a cubic along a chord. The cubic is formed about the point of the chord that is nearest to the
+//! axis, or about the point at the height where the segment is narrowest. So its coefficients have the size
+//! of the segment, however far away the ray's origin is and however steep the ray is. A chord is passed over
+//! if its point nearest to the axis lies outside the segment's bounding cylinder, unless the ray is inside
+//! the solid where the chord begins.
 //!
 //! The traversal carries from chord to chord on which side of the surface the ray is. That is known where the
 //! ray begins, and changes at crossings only. So rounding can move a crossing across a join, but not lose it
@@ -154,7 +156,8 @@ impl<S: ?Sized> Lathe<S> {
         self.frame.len
     }
 
-    /// The heights of the lower and the upper end: the profile's, within 2⁻²³ of the one of larger magnitude.
+    /// The heights of the lower and the upper end. Rounding moves each by at most 2⁻²³ of the larger of their
+    /// two magnitudes from the height in the profile.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, valid};
@@ -169,8 +172,8 @@ impl<S: ?Sized> Lathe<S> {
         [middle + low / scale, middle + high / scale]
     }
 
-    /// The largest radius along y, at a knot or between knots, to 10⁻⁶ of it. Along x a squashed solid
-    /// extends to 1/√k times as much.
+    /// The largest radius along y, at a knot or between knots, with a relative error of at most 10⁻⁶. Along x
+    /// a squashed solid extends to 1/√k times as much.
     #[must_use]
     pub const fn largest_radius(&self) -> f32 {
         const_fn::sqrt(self.frame.bounding_square / widened(1.0)) / self.frame.scale
@@ -184,8 +187,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         View { frame: &self.frame, segments: self.segments.as_ref().get(..self.frame.len).unwrap_or(&[]) }
     }
 
-    /// The lathe with all segments, the spare ones, which no ray meets, too. It takes no slice, and so is
-    /// cheaper.
+    /// The lathe with all its segments, those in spare capacity included, which no ray meets. This is cheaper
+    /// than `view`, which has to cut off the spare ones.
     #[inline(always)]
     fn view_with_spare(&self) -> View<'_> {
         View { frame: &self.frame, segments: self.segments.as_ref() }
@@ -221,8 +224,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         frame.low <= p.z && p.z < frame.high && dot_xy(p, p) < f
     }
 
-    /// The radius, in object space, of a ball about the middle of the axis that contains the solid, x scaled
-    /// by √k.
+    /// The radius, in object space, of a ball about the middle of the axis. It contains the solid whose x is
+    /// scaled by √k.
     pub(crate) fn ball(&self) -> f32 {
         self.frame.size / self.frame.scale
     }

@@ -6,35 +6,40 @@ use crate::hit::Part;
 use crate::math::UNIT_ROUNDOFF;
 use crate::vector::{F32x3, vector};
 
-/// The tolerance of a length or a height, over the distance that it was computed from: 16 units of 2⁻²⁴.
+/// The tolerance of a length or a height is this, 16 units of 2⁻²⁴, times the distance that the length or the
+/// height was computed from.
 ///
-/// The fast path's tolerance in g is built on it. With S the largest slope of the profile and `back` the
-/// distance from a place on the ray to the ray's origin, in units of the direction, it is
+/// The fast path's tolerance in g is built on it. At a place on a ray, the tolerance in g is
 ///
-/// `LENGTH_TOLERANCE·(2 + S)·(BASE_DISTANCE·size + |back|·(q + dz²))`.
+/// `LENGTH_TOLERANCE·(2 + S)·(BASE_DISTANCE·size + |back|·(q + dz²))`,
+///
+/// with S the largest slope of the profile, size as in [`Frame::size`], `back` the distance from the place to
+/// the ray's origin in units of the direction, and q = dx² + dy², x scaled by √k.
 ///
 /// Rounding changes, in units of 2⁻²⁴, x² + y² by at most 23·r² + 4·|back|·√q, r the largest radius; f by at
 /// most 10·r² + 4.5·S·size; and the height by at most 9·size + 3·r·|dz|/√q + 11·|back·dz|, which changes f by
-/// S times that. Here r² ≤ 2·r ≤ 2·size, for r < 2. A ray with K < 0 has |dz|/√q < 8, by [`LEAST_CONVEXITY`];
-/// a ray with q ≥ 1/4 has √q ≤ 2·q and |dz| ≤ q + dz². So the tolerance is larger, term by term:
+/// S times that. Here r² ≤ 2·r ≤ 2·size, since r < 2. The fast path leaves a ray undecided unless q exceeds
+/// both convexity·dz² and 1/4. So |dz|/√q < 8, by [`LEAST_CONVEXITY`], and √q ≤ 2·q and |dz| ≤ q + dz², by q
+/// ≥ 1/4. Then the tolerance is larger than the rounding in each of four groups of terms:
 ///
-/// | terms in | rounding, at most | tolerance |
+/// | terms with the factor | rounding, at most | tolerance |
 /// |---|---|---|
 /// | 1 | 33·r² ≤ 66·size | 80·size |
 /// | S | 13.5·size + 24·r ≤ 37.5·size | 40·size |
 /// | \|back\| | 4·√q ≤ 8·(q + dz²) | 32·(q + dz²) |
 /// | S·\|back\| | 11·\|dz\| ≤ 11·(q + dz²) | 16·(q + dz²) |
 ///
-/// On the plane of an end, at the distance s from the point nearest to the axis, the error of the height
-/// changes x² + y² by |2·q·s/dz| times itself, 66·size + 22·|back|·(q + dz²) times |q·s/dz|. There the
-/// tolerance is multiplied by 1 + |q·s/dz|.
+/// On the plane of an end, at the distance s from the ray's point nearest to the axis, x² + y² has a further
+/// error: the error of the height times |2·q·s/dz|, at most 66·size + 22·|back|·(q + dz²) times |q·s/dz|.
+/// There the tolerance is multiplied by 1 + |q·s/dz|.
 pub const LENGTH_TOLERANCE: f32 = 16.0 * UNIT_ROUNDOFF;
 
-/// How much distance the tolerance adds, over the size of the solid: see [`LENGTH_TOLERANCE`].
+/// The distance that the tolerance allows for even where the ray's origin is near, in units of the size of
+/// the solid: see [`LENGTH_TOLERANCE`].
 pub const BASE_DISTANCE: f32 = 2.5;
 
-/// The least value of [`Frame::convexity`]: with it K < 0 means dz² < 64·q, which [`LENGTH_TOLERANCE`] takes
-/// for granted.
+/// The least value of [`Frame::convexity`]. With it, convexity·dz² < q means that dz² < 64·q, which
+/// [`LENGTH_TOLERANCE`] takes for granted.
 pub const LEAST_CONVEXITY: f32 = 1.0 / 64.0;
 
 /// The lathe's frame, object space moved so that the origin is half way up the axis, and scaled; and what is
@@ -57,7 +62,7 @@ pub(crate) struct Frame {
     pub high: f32,
     /// The squared radius of the bounding cylinder: the largest squared radius of the profile, widened.
     pub bounding_square: f32,
-    /// The radius of a ball about the frame's origin that contains the solid, x scaled by √k.
+    /// The radius of a ball about the frame's origin. It contains the solid whose x is scaled by √k.
     pub size: f32,
     /// In object space: half the height, and the radius of a cylinder that contains the solid, infinite for a
     /// sheet (k = 0).
@@ -75,23 +80,25 @@ pub(crate) struct Frame {
     pub top: EndPlane,
     /// Whether there are steps between segments, or rings at the ends.
     pub has_rings: bool,
-    /// Whether g may jump upwards along a ray, at a step or at a ring that is wider outside: then the fast
-    /// path certifies no hits.
+    /// Whether g may jump upwards along a ray: at a step, or at a ring that lies outside the wall of an end
+    /// (see [`EndPlane::flange`]). Then the fast path certifies no hits.
     pub has_jumps: bool,
     /// A power of two that is at least half of `len`: the first step of [`View::index_at`].
     pub stride: usize,
     /// √k·scale: the moment of a ray about the axis in object space, times this, is its moment in the frame.
     pub moment_scale: f32,
-    /// The tolerance in g, divided by the distance: [`LENGTH_TOLERANCE`]·(2 + max_slope).
+    /// [`LENGTH_TOLERANCE`]·(2 + max_slope): the tolerance in g is this times the distance
+    /// `base_distance + |back|·(q + dz²)`.
     pub g_tolerance: f32,
-    /// What the tolerance adds to the distance: [`BASE_DISTANCE`] times the size, and so much that the
-    /// tolerance exceeds the sum of all upward jumps of g.
+    /// The part of that distance that is the same for all rays: [`BASE_DISTANCE`] times the size, plus the
+    /// sum of all upward jumps of g divided by `g_tolerance`. So the tolerance exceeds that sum.
     pub base_distance: f32,
 }
 
 /// Bounds of a whole profile.
 pub(crate) struct Bounds {
-    /// Upper bounds of |F′|, |F″/2| and F″/2 between knots. NaN if a segment has no height in the frame.
+    /// Upper bounds of |F′|, |F″/2| and F″/2 between knots. `max_slope` is NaN or infinite if a segment has
+    /// no height in the frame.
     pub max_slope: f32,
     pub curvature: f32,
     pub convexity: f32,
@@ -128,8 +135,9 @@ pub(crate) struct EndPlane {
     /// What lies on the plane between the radii of `wall` and `beyond`: a cap or a ring; `Part::Wall` if the
     /// wall closes to a point; `None` if the end is open.
     pub part: Option<Part>,
-    /// The squared radius of the wall at the end, and the squared radius at which it goes on beyond the
-    /// plane: the same if the end is open, zero if it is capped.
+    /// The squared radius of the wall at the end, and the squared radius within which a ray just outside the
+    /// plane counts as inside: equal to `wall` if the end is open, zero if it is capped. A ring lies between
+    /// the two: within the wall if `beyond` is smaller, outside it if `beyond` is larger.
     pub wall: f32,
     pub beyond: f32,
 }
@@ -157,7 +165,7 @@ impl EndPlane {
         self.wall != self.beyond && self.beyond != 0.0
     }
 
-    /// By how much the squared radius is larger beyond the plane; zero if it is not.
+    /// By how much `beyond` is larger than `wall`; zero if it is not larger.
     pub const fn flange(&self) -> f32 {
         (self.beyond - self.wall).max(0.0)
     }
@@ -200,8 +208,8 @@ impl View<'_> {
             }
         }
     }
-    /// The number of the segment at a height, by single steps from segment `index`. Below or above the solid,
-    /// a number that no segment in use has.
+    /// The number of the segment at a height, found by single steps from segment `index`. Below the solid it
+    /// is `usize::MAX`, above the solid at least `len`; `index` itself if z is NaN.
     #[inline(always)]
     pub fn index_from(&self, mut index: usize, z: f32) -> usize {
         while self.segments.get(index).is_some_and(|segment| z < segment.low) {

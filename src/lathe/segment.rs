@@ -25,7 +25,8 @@ pub struct Segment {
     pub(super) narrowest: f32,
     /// The squared radius of the bounding cylinder: the segment's largest squared radius, [`widened`].
     pub(super) bounding_square: f32,
-    /// An upper bound of half the second derivative of the squared radius by height; negative if that is.
+    /// An upper bound of half the second derivative of the squared radius by height. It is negative where
+    /// that derivative is negative all along the segment.
     pub(super) convexity: f32,
     /// The slope jump at the upper end: by how much the first derivative by height is larger where the next
     /// segment begins than where this one ends, or zero if it is not larger.
@@ -36,20 +37,22 @@ pub struct Segment {
     half: [f32; 2],
 }
 
-/// The larger of two numbers, and NaN if `a` or `b` is. A segment whose height vanishes in the frame has
-/// bounds of 0·∞ = NaN; the lathe's bounds, folded from them, are then NaN, too, and certify nothing.
+/// The larger of two numbers; NaN if `a` or `b` is NaN. A segment whose height vanishes in the frame has a
+/// [`max_slope`](Segment::max_slope) of NaN or infinity. So has then the lathe, and its tolerance in g is NaN
+/// or infinite, too: the fast path certifies only that a ray passes the bounding cylinder.
 pub(super) const fn greater_or_nan(a: f32, b: f32) -> f32 {
     if a > b || a.is_nan() { a } else { b }
 }
 
-/// A squared radius r², enlarged by 2⁻⁹ of itself for a bounding cylinder: a point outside of that is outside
-/// the solid, and a point computed to be on it is outside, however rounded.
+/// A squared radius r², enlarged by 2⁻⁹ of itself for a bounding cylinder. A point outside that cylinder is
+/// outside the solid. So is a point that is computed to be on the cylinder, however it was rounded.
 ///
-/// 2⁻⁹ is 2¹⁵ units of 2⁻²⁴. Rounding takes 33 units of r² near the lathe's largest radius (see
+/// 2⁻⁹ is 2¹⁵ units of 2⁻²⁴. Rounding changes x² + y² by 33 units of r² near the lathe's largest radius (see
 /// [`frame::LENGTH_TOLERANCE`](super::frame::LENGTH_TOLERANCE)), a thousandth of that. The rest is for the
-/// distance D of the ray's origin, which takes 4·D: enough up to 2¹³ − 8 radii. Farther away, and for
-/// segments that are narrower by that factor, a ray that is passed over in error is one that passes the
-/// silhouette within rounding.
+/// distance D of the ray's origin, which changes x² + y² by another 4·D units: it is enough up to D = (2¹³ −
+/// 9)·r. If the origin is farther away, or if r is so small a part of the largest radius that rounding takes
+/// more than 2⁻⁹ of r², a ray may be passed over in error. Such a ray passes the silhouette at a distance
+/// within rounding.
 pub(super) const fn widened(square: f32) -> f32 {
     square * (1.0 + 1.0 / 512.0)
 }
@@ -102,7 +105,8 @@ impl Segment {
         }
     }
 
-    /// The largest magnitude of half the second derivative by height. NaN for a segment of no height.
+    /// The largest magnitude of half the second derivative by height. NaN or infinite for a segment of no
+    /// height.
     pub(super) const fn curvature(&self) -> f32 {
         let [_, _, c2, c3] = self.f;
         greater_or_nan(c2.abs(), (c2 + 3.0 * c3).abs()) * self.per_height * self.per_height

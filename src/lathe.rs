@@ -81,17 +81,18 @@ impl<const N: usize> Lathe<[Segment; N]> {
         Self::turn_about(profile, 0.5 * low + 0.5 * high)
     }
 
-    /// Makes a profile ready as a sheet of a body whose first sheet is another: heights are counted from the middle of that one.
-    /// So where two sheets meet, what a ray does is decided by the same numbers, and it does not slip through: see
-    /// [`Solid::body`](crate::Solid::body). Let the first sheet be the one that all others are beside: what is far from its
-    /// middle is rounded as numbers of that size are.
+    /// The lathe of a profile that is a sheet of a body, given the body's first sheet (see
+    /// [`Solid::body`](crate::Solid::body)). Its heights count from the middle of the first sheet. So where
+    /// the two sheets meet, the same numbers decide what a ray does, and no ray slips through between them.
+    /// Rounding is relative to the distance from that middle: choose as the first sheet the one that all
+    /// others lie beside.
     #[must_use]
     pub const fn turn_beside<const M: usize>(profile: Profile<N>, first: &Profile<M>) -> Self {
         let [low, high] = first.heights();
         Self::turn_about(profile, 0.5 * low + 0.5 * high)
     }
 
-    /// Heights are counted from `middle`.
+    /// The lathe of a profile, in a frame whose origin is at the height `middle` in object space.
     const fn turn_about(profile: Profile<N>, middle: f32) -> Self {
         let len = profile.len;
         let largest = profile.largest();
@@ -109,7 +110,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
         }
         let Bounds { max_slope, curvature, convexity, slope_jumps, steps } = Bounds::of(&segments, len);
         let (low, high) = (segments[0].low, segments[len - 1].high);
-        // The two may differ in magnitude, for the middle is rounded, and may be another sheet's.
+        // The heights of the two ends may differ in magnitude: the middle is rounded, or it is another
+        // sheet's.
         let half = high.abs().max(low.abs());
         let bounding_square = widened(largest * scale * scale);
         let root_squash = const_fn::sqrt(profile.squash);
@@ -194,13 +196,14 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         View { frame: &self.frame, segments: self.segments.as_ref() }
     }
 
-    /// The height in object space from which heights are counted: half way between the ends, or between those of the first
-    /// sheet of a body.
+    /// The height, in object space, of the frame's origin: half way between the ends, or between those of the
+    /// first sheet of a body.
     pub(crate) const fn middle(&self) -> f32 {
         self.frame.middle
     }
 
-    /// Half the distance between the ends, in object space.
+    /// The larger of the distances of the two ends from the frame's origin, in object space. Half the height,
+    /// unless the origin is in the middle of another sheet.
     pub(crate) const fn half_height(&self) -> f32 {
         self.frame.half_height
     }
@@ -210,12 +213,13 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         self.frame.radius
     }
 
-    /// As [`Profile::squash`].
+    /// The squash k of the profile (see [`Profile::squash`]).
     pub(crate) const fn squash(&self) -> f32 {
         self.frame.squash
     }
 
-    /// Whether a point is between the ends, the lower one included, and within the wall.
+    /// Whether a point of object space lies inside the wall and between the heights of the ends, the lower
+    /// one included.
     pub(crate) fn is_inside(&self, point: [f32; 3]) -> bool {
         let frame = &self.frame;
         let p = frame.squashed(frame.point(vector(point)));
@@ -224,18 +228,19 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         frame.low <= p.z && p.z < frame.high && dot_xy(p, p) < f
     }
 
-    /// The radius, in object space, of a ball about the middle of the axis. It contains the solid whose x is
+    /// The radius, in object space, of a ball about the frame's origin. It contains the solid whose x is
     /// scaled by √k.
     pub(crate) fn ball(&self) -> f32 {
         self.frame.size / self.frame.scale
     }
 
-    /// A vector along the outward normal at a hit of a ray in object space, its largest component in [1, 4):
-    /// along half of the gradient, `(k·x, y, −f′(u)/2h)`, on the wall; along the axis on a cap or a ring, and
-    /// where the half is zero.
+    /// Returns a vector along the outward normal at a hit of a ray in object space. Its largest component is
+    /// in [1, 4). On the wall it lies along half of the gradient, `(k·x, y, −f′(u)/2h)`; on a cap or a ring,
+    /// and where the gradient is zero, along the axis.
     ///
     /// x and y are computed in the frame. A ray that has a hit has a finite origin there, and a finite
-    /// distance to the hit, so the vector is finite; [`to_one`] refuses any other, and NaN.
+    /// distance to the hit. So half of the gradient is finite; [`to_one`] returns `None` for a vector that is
+    /// not, and for NaN.
     pub(crate) fn gradient(&self, ray: &Ray, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
         let faces_up = match hit.part {

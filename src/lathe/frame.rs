@@ -42,8 +42,9 @@ pub const BASE_DISTANCE: f32 = 2.5;
 /// [`LENGTH_TOLERANCE`] takes for granted.
 pub const LEAST_CONVEXITY: f32 = 1.0 / 64.0;
 
-/// The lathe's frame, object space moved so that the origin is half way up the axis, and scaled; and what is
-/// known of the whole lathe. Lengths are in the frame unless a field says otherwise.
+/// The lathe's frame, and bounds of the whole lathe. The frame is object space moved so that the origin is
+/// half way up the axis (or half way up that of the first sheet of a body), and scaled. Lengths are in the
+/// frame unless a field says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Frame {
@@ -64,8 +65,8 @@ pub(crate) struct Frame {
     pub bounding_square: f32,
     /// The radius of a ball about the frame's origin. It contains the solid whose x is scaled by √k.
     pub size: f32,
-    /// In object space: half the height, and the radius of a cylinder that contains the solid, infinite for a
-    /// sheet (k = 0).
+    /// In object space: the larger of the distances of the two ends from the frame's origin; and the radius
+    /// of a cylinder that contains the solid, infinite for a sheet (k = 0).
     pub half_height: f32,
     pub radius: f32,
     /// Upper bounds of |F′| and of |F″/2|, F the squared radius by height.

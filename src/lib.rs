@@ -118,13 +118,14 @@
 //!   as in exact arithmetic, and a hit is on the same part of the surface. A ray clears them if no
 //!   displacement of the surface by less than 4 units changes the list of the ray's crossings.
 //! - A ray that is nearer to a silhouette may hit there or miss; it never hits far from the surface.
-//! - The point of a hit lies within 4 units of the surface. This unit is larger: the distance of the hit from the ray's origin
-//!   is added to size and distance. Where the surface is plane within those 4 units of the hit, the distance along the ray is
-//!   off by at most 4 units divided by the cosine of incidence.
-//! - [`Lathe::spawn`] makes a ray that starts beside a hit, on the side of the surface to which the ray leaves. Its origin clears
-//!   the surface by those 4 units.
-//! - A waist of zero radius is as exact as the rest if a knot lies there. Where f touches zero inside a segment, f is off by
-//!   up to 8ε of the segment's largest squared radius, and so the radius by up to √(8ε) of the largest radius.
+//! - The point of a hit lies within 4 units of the surface. This unit is larger: the distance of the hit from
+//!   the ray's origin is added to size and distance. Where the surface is plane within those 4 units of the
+//!   hit, the distance along the ray is off by at most 4 units divided by the cosine of incidence.
+//! - [`Lathe::spawn`] makes a ray that starts beside a hit, on the side of the surface to which the ray
+//!   leaves. Its origin clears the surface by those 4 units.
+//! - A waist of zero radius is as exact as the rest if a knot lies there. Where f touches zero inside a
+//!   segment, f is off by up to 8ε of the segment's largest squared radius, and so the radius by up to √(8ε)
+//!   of the largest radius.
 //! - No result is NaN, no call panics, and no ray slips through between two segments.
 //!
 //! The tests check these promises for every solver of [`solve`] with every backend of [`math`], which

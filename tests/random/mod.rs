@@ -15,7 +15,9 @@ pub fn random_lathe(rng: &mut ChaCha8Rng) -> Lathe<[Segment; 8]> {
         let mut knots = vec![even(rng, -1.0, 0.0)];
         let mut ordinates = vec![if rng.random_ratio(1, 4) { 0.0 } else { even(rng, 0.0, 0.6) }];
         for _ in 0..segments {
-            knots.push(knots[knots.len() - 1] + even(rng, 0.03, 0.5));
+            let is_low = rng.random_ratio(1, 8);
+            let height = if is_low { 10_f32.powf(even(rng, -6.0, -2.0)) } else { even(rng, 0.03, 0.5) };
+            knots.push(knots[knots.len() - 1] + height);
             // Smooth three times out of four, if heights were even.
             let last = ordinates[ordinates.len() - 1];
             let lean = if ordinates.len() > 1 { last - ordinates[ordinates.len() - 2] } else { 0.0 };

@@ -3,6 +3,7 @@
 
 use super::ray_row::RayRow;
 use crate::lathe::frame::{LENGTH_TOLERANCE, View};
+use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
 use crate::vector::{F32x3, cross, dot, dot_xy, one_norm, vector};
@@ -86,12 +87,21 @@ pub(super) struct RowBounds<'a> {
     /// How far rounding can move a point: [`LENGTH_TOLERANCE`] times the sum of the eye's distance and the
     /// solid's size.
     pub slip: f32,
-    /// The least slope A of a tracked root whose distance may be compared with another solid's: a quarter of
-    /// the length of the longest direction. At a cap |dz| must be A/4 at least. Zero if distances are not
-    /// compared.
+    /// The half-width of the *undecided band*, in height and in g where the profile is a cylinder: the row
+    /// decides nothing where a height is nearer to an end than this, or g nearer to zero. What a slope adds
+    /// to it is in [`RowBounds::tolerance_in`].
+    pub tolerance: f32,
+    /// A bound of D² of all rays.
+    pub longest: f32,
+    /// The least slope A, in a cylinder, of a tracked root whose distance may be compared with another
+    /// solid's: a sixteenth of the length of the longest direction. At a cap |dz| must be A/4 at least. Zero
+    /// if distances are not compared.
     pub least_slope: f32,
-    /// The half-width of the *undecided band*, in g and in height: the row decides nothing where g is nearer
-    /// to zero than this, or a height nearer to an end.
+}
+
+/// What a root must satisfy that is tracked in a segment.
+pub(super) struct SegmentBounds {
+    /// The half-width of the undecided band in g.
     pub tolerance: f32,
     /// The slope that a tracked root must exceed: `2·√(q·tolerance) + 16·ROOT·Q`, Q a bound of |g″/2|.
     ///
@@ -137,10 +147,8 @@ impl<'a> RowBounds<'a> {
         let across = half * (dot(m, d1) + dot(m1, d)).abs() + half * half * dot(m1, d1).abs();
         let span = (across / length + frame.size) / length;
         let distance = shift.abs() * length + frame.size + rough;
-        // Bounds of what rounding can do to a point, and to g: four times the most that was measured.
         let slip = LENGTH_TOLERANCE * distance;
-        let rounding = frame.g_tolerance * distance;
-        let tolerance = TOLERANCE + rounding;
+        let tolerance = TOLERANCE + 2.0 * slip;
         // If any of the rays meets the ball, the middle one meets a ball that is larger by the distance
         // between the two rays.
         let near = WIDENED * frame.size + slip + half * (one_norm(m1) + span * one_norm(d1));
@@ -150,26 +158,31 @@ impl<'a> RowBounds<'a> {
         let drift = m1.z.abs() + span * d1.z.abs();
         // The bounds are of use if no direction is shorter than half the middle one, so that the spread of
         // the rays no more than doubles a bound; if no ray is parallel to the axis; if the eye is outside the
-        // span; if the tolerance is small; and if the lathe has no rings.
+        // span; if the tolerance is small; if every segment has a height in the frame; and if
+        // the lathe has no rings.
         let is_usable = !frame.has_rings
             && least > 0.25 * square
             && q > 0.0
             && shift > span + slip
-            && tolerance < MOST_TOLERANCE;
+            && tolerance < MOST_TOLERANCE
+            && frame.max_slope < f32::INFINITY
+            && frame.curvature < f32::INFINITY;
 
         let Plane { height, spread } = Plane::of(rays, frame.bounding_square + tolerance);
         let spread = spread + slip;
         let (low, high) = (greater(frame.low, height - spread), lesser(frame.high, height + spread));
         let is_culled = is_outside_ball || is_usable && low > high;
         let is_mirrored = !is_culled && is_usable && {
-            // Two pixels at the same distance from the middle on either side must agree, to an eighth of the
-            // rounding: in g at the same s; in the height, which counts at the solid's ends; and in how near
-            // the plane between them passes the axis.
-            let asymmetry = 8.0 * asymmetry(rays, span, drift * (1.0 + frame.max_slope));
+            // Two pixels at the same distance from the middle on either side must agree, to half of what rounding
+            // can do: in g at the same s; in the height, which counts at the solid's ends; and in how near the
+            // plane between them passes the axis. In g rounding is 2 + S times the slip, S the slope; the
+            // disagreement grows with S by `half·4·drift`, which must be no faster.
+            let asymmetry = 2.0 * asymmetry(rays, span, drift);
             frame.squash == 1.0
                 && (part.end - part.start).is_multiple_of(2)
-                && half * asymmetry < rounding
-                && asymmetry < 0.5 * rounding * one_norm(m1)
+                && half * asymmetry < 2.0 * slip
+                && 4.0 * half * drift <= slip
+                && asymmetry < slip * one_norm(m1)
         };
         let middle = if is_culled {
             part.start
@@ -185,11 +198,8 @@ impl<'a> RowBounds<'a> {
         // that is shift > span; so half²·D₁² < least, and least = square − 2·half·|⟨D, D₁⟩|. The rest of 2.25
         // is for rounding.
         let longest = 2.25 * square;
-        // A bound of |g″/2| along any of the rays.
-        let most = longest + frame.curvature * (steep * steep);
         let has_one_side = is_usable && d.z.abs() > half * d1.z.abs();
-        let least_slope = if part.has_depth { 0.25 * Native::sqrt(longest) } else { 0.0 };
-        let slack = 2.0 * Native::sqrt(longest * tolerance) + 16.0 * ROOT * most;
+        let least_slope = if part.has_depth { 0.0625 * Native::sqrt(longest) } else { 0.0 };
         Self {
             lathe,
             is_culled,
@@ -207,25 +217,42 @@ impl<'a> RowBounds<'a> {
             rising: has_one_side.then_some(d.z > 0.0),
             drift: drift / (SPANS * span),
             slip,
-            least_slope,
             tolerance,
-            slack: greater(slack, least_slope),
-            step_tolerance: ROOT / most,
+            longest,
+            least_slope,
         }
     }
 }
 
 impl RowBounds<'_> {
+    /// The tolerance in g in a segment. A slope S adds what rounding of a height does to F.
+    #[inline(always)]
+    pub fn tolerance_in(&self, segment: &Segment) -> f32 {
+        self.tolerance + self.slip * segment.max_slope()
+    }
+
+    /// The bounds of a segment: what is steep or curved in one segment is paid for there.
+    #[inline(always)]
+    pub fn in_segment(&self, segment: &Segment) -> SegmentBounds {
+        let tolerance = self.tolerance_in(segment);
+        // A bound of |g″/2| along any of the rays.
+        let most = self.longest + segment.curvature() * (self.steep * self.steep);
+        let slack = 2.0 * Native::sqrt(self.longest * tolerance) + 16.0 * ROOT * most;
+        let least_slope = self.least_slope * (1.0 + 0.5 * segment.max_slope());
+        SegmentBounds { tolerance, slack: greater(slack, least_slope), step_tolerance: ROOT / most }
+    }
+
     /// A bound of the difference, in t, between the distance of a tracked root or of a cap and the distance
-    /// that a single ray finds there. Slopes are to be at least A, see [`RowBounds::least_slope`].
+    /// that a single ray finds there. In a segment of slope S slopes are to be at least `A·(1 + S/2)`, see
+    /// [`RowBounds::least_slope`].
     ///
-    /// The distance of a root is off by the error of g, from rounding and a run's additions, divided by A,
-    /// and by what the last step of Newton's method leaves. Both count twice, for the single ray has them as
-    /// well. The distance of a cap is off by the error of its height divided by |dz|, which is A/4 at least.
-    /// In addition every distance is rounded itself.
+    /// The distance of a root is off by the error of g, from rounding and a run's additions, divided by the
+    /// slope, and by what the last step of Newton's method leaves. Both count twice, for the single ray has
+    /// them as well. The error of g is 1 + S/2 times that in a cylinder: the quotient is the same for all
+    /// segments. The distance of a cap is off by the error of its height divided by |dz|, which is A/4 at
+    /// least. In addition every distance is rounded itself.
     pub fn depth_error(&self) -> f32 {
-        let rounding = self.tolerance - TOLERANCE + ADDITIONS;
-        (2.0 * ROOT + 2.0 * rounding / self.least_slope + self.slip) / self.unit
+        (2.0 * ROOT + (4.0 * self.slip + 2.0 * ADDITIONS) / self.least_slope + self.slip) / self.unit
     }
 }
 

@@ -85,8 +85,9 @@ impl Sweep<'_> {
         };
         match before {
             Before::Clear { until } => {
-                let slope = (passed.slope_jumps + bump * segment.per_height) * bounds.steep + bounds.slack;
-                Certification::Nearest(Certificate { slope, bump, until })
+                let own = bounds.in_segment(segment);
+                let slope = (passed.slope_jumps + bump * segment.per_height) * bounds.steep + own.slack;
+                Certification::Nearest(Certificate { slope, bump, own, until })
             }
             Before::MayMeet(start) => Certification::Another(start),
             Before::Undecided => Certification::Undecided,
@@ -136,11 +137,11 @@ impl Sweep<'_> {
         // slope suffices. So g is bounded at that point in any case, even where it lies before `near`.
         let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
-        let UpperBound { g, start } = match self.below_zero(i, &path, sign, before) {
+        let UpperBound { g, tolerance, start } = match self.below_zero(i, &path, sign, before) {
             Ok(until) => return Before::Clear { until },
             Err(bound) => bound,
         };
-        if g < bounds.tolerance {
+        if g < 2.0 * tolerance {
             return Before::Undecided;
         }
         // `start.sign` is that of a crossing of `sign·g`; times `sign` it is that of g. If no start is known,
@@ -175,9 +176,7 @@ impl Sweep<'_> {
         let square = kappa * kappa;
         let curve = (3.0 * f3 * u + f2) * square - q;
         let (c2, slope) = (self.root.sign * curve, slope - 2.0 * curve * back);
-        let bounds = &self.bounds;
-        slope > bounds.slack
-            && c2 * c2.abs()
-                < 4.0 * (slope - bounds.tolerance) * kappa * (self.root.certificate.bump * square)
+        let Certificate { bump, ref own, .. } = self.root.certificate;
+        slope > own.slack && c2 * c2.abs() < 4.0 * (slope - own.tolerance) * kappa * (bump * square)
     }
 }

@@ -24,8 +24,11 @@ pub(super) enum Probe {
 
 /// An upper bound of sign·g along a ray.
 pub(super) struct UpperBound {
-    /// The bound. It holds for the part asked for, or, if there is a start, to the end of its segment.
+    /// The bound and the tolerance of the segment where it is reached, added up: below zero if sign·g is
+    /// certain to be. It holds for the part asked for, or, if there is a start, to the end of its segment.
     pub g: f32,
+    /// The tolerance of the last segment in which `g` is not below zero.
+    pub tolerance: f32,
     /// About where sign·g crosses zero, in the first segment where it may come to within the tolerance of
     /// zero and such a place is found. The start's own sign is 1 where sign·g rises through zero along the
     /// ray, −1 where it falls. `None` if there is no such segment.
@@ -63,11 +66,10 @@ impl Sweep<'_> {
         interval: (f32, f32),
     ) -> Result<u32, UpperBound> {
         let bound = self.upper_bound(path, sign, interval);
-        let margin = -bound.g - self.bounds.tolerance;
-        if !(margin > 0.0) {
+        if !(bound.g < 0.0) {
             return Err(bound);
         }
-        Ok((i + 1).saturating_add(self.certified_run(path, self.ray(i), sign, margin, interval)))
+        Ok((i + 1).saturating_add(self.certified_run(path, self.ray(i), sign, -bound.g, interval)))
     }
 
     /// The interval of s, along a ray, whose heights include every height at which this ray can meet the
@@ -79,13 +81,13 @@ impl Sweep<'_> {
         (greater(-span, near), lesser(span, far))
     }
 
-    /// An upper bound of sign·g between two points of a ray, −∞ if the far one comes before the near one. The
-    /// segments are bounded one after another, to the one that has the start.
+    /// An upper bound of sign·g and its tolerance between two points of a ray, −∞ if the far one comes before
+    /// the near one. The segments are bounded one after another, to the one that has the start.
     #[inline(always)]
     fn upper_bound(&self, path: &LocalRay, sign: f32, (near, far): (f32, f32)) -> UpperBound {
-        let lathe = self.bounds.lathe;
-        let tolerance = self.bounds.tolerance;
-        let mut bound = UpperBound { g: f32::NEG_INFINITY, start: None };
+        let bounds = &self.bounds;
+        let lathe = bounds.lathe;
+        let mut bound = UpperBound { g: f32::NEG_INFINITY, tolerance: 0.0, start: None };
         let step = if path.rises() { 1 } else { usize::MAX };
         let mut index = lathe.index_at(path.height(near));
         let mut from = near;
@@ -96,11 +98,13 @@ impl Sweep<'_> {
             let to = lesser(far, to);
             let at = path.closest(from, to);
             // The segment's bounding cylinder bounds g as well, and most often suffices.
-            let mut most_here = segment.bounding_square - path.around(at).0;
-            if sign < 0.0 || most_here > bound.g && !(most_here < -tolerance) {
+            let mut most_here = segment.bounding_square - path.around(at).0 + bounds.tolerance;
+            if sign < 0.0 || most_here > bound.g && !(most_here < 0.0) {
+                let tolerance = bounds.tolerance_in(segment);
                 let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
-                most_here = g.max_on(at - from, to - at);
-                if !(most_here < -tolerance) {
+                most_here = g.max_on(at - from, to - at) + tolerance;
+                if !(most_here < 0.0) {
+                    bound.tolerance = tolerance;
                     let sign = if g.at(from - at) > 0.0 { -1.0 } else { 1.0 };
                     let s = at + zero(&g, sign);
                     if sign > 0.0 || s <= to {

@@ -7,7 +7,7 @@
 //! left. So silhouettes are met from within; beyond a silhouette the rays diverge from the solid, and one
 //! probe certifies that the rest of the half misses.
 
-use super::bounds::RowBounds;
+use super::bounds::{RowBounds, SegmentBounds};
 use super::ray_row::RayRow;
 use crate::lathe::ray::LocalRay;
 use crate::lathe::segment::Segment;
@@ -120,6 +120,8 @@ pub(super) struct Certificate {
     /// For the second test, [`Sweep::is_nearest_by_cubic`]: |f3| of the root's own segment, or zero if the
     /// slope alone suffices in that segment.
     pub bump: f32,
+    /// The bounds of the root's own segment.
+    pub own: SegmentBounds,
     /// The first pixel for which the certificate does not hold.
     pub until: u32,
 }
@@ -145,7 +147,12 @@ impl<'a> TrackedRoot<'a> {
             bend: 0.0,
             index: 0,
             segment,
-            certificate: Certificate { slope: f32::INFINITY, bump: 0.0, until: u32::MAX },
+            certificate: Certificate {
+                slope: f32::INFINITY,
+                bump: 0.0,
+                own: SegmentBounds { tolerance: 0.0, slack: 0.0, step_tolerance: 0.0 },
+                until: u32::MAX,
+            },
             end: None,
             tries: STEPS,
             probed: u32::MAX,

@@ -39,7 +39,7 @@ impl Sweep<'_> {
         let (m1, d1) = (point(rays.origin_step, 0.0), toward(rays.direction_step));
         let [c0, c1, c2, c3] = segment.f;
         let certain = root.certificate.slope;
-        let step_tolerance = bounds.step_tolerance;
+        let step_tolerance = root.certificate.own.step_tolerance;
         // Within the tolerance of the solid's ends, in height, the row decides nothing.
         let pad = bounds.tolerance * segment.per_height;
         let from = if root.index == 0 { pad } else { 0.0 };

@@ -24,12 +24,12 @@ pub(super) struct Chord<'a> {
 }
 
 impl<'a> Chord<'a> {
-    /// The chord of segment number `index` between two of the local ray's t.
+    /// The chord in the slab of segment number `index`, between two t of the local ray.
     ///
-    /// g is formed about the chord's point nearest to the axis, where x² + y² is least, or about the point at
-    /// the height where the segment is narrowest, if f + x² + y² is less there, as it can be for a steep ray.
-    /// So by a pole or in a narrow neck the coefficients, and their rounding, are as small as the solid is
-    /// there.
+    /// g is formed about one of two points: the chord's point nearest to the axis, where x² + y² is least, or
+    /// its point nearest to the height where the segment is narrowest. The second is taken if f + x² + y² is
+    /// less there, as it can be for a steep ray. So by a pole or in a narrow neck the coefficients, and their
+    /// rounding, are as small as the solid is there.
     #[inline(always)]
     pub fn new(ray: &'a LocalRay, segment: &'a Segment, index: usize, [from, to]: [f32; 2]) -> Self {
         let mut origin = ray.closest(from, to);
@@ -47,14 +47,15 @@ impl<'a> Chord<'a> {
         Self { ray, segment, index, origin, g, from: from - origin, to: to - origin }
     }
 
-    /// The roots of g along the chord, in order, one for each change of sides, given on which side of the
-    /// surface the ray is where the chord begins and where it ends.
+    /// The roots of g along the chord, in order, one for each change of sides. `inside` says whether the ray
+    /// is inside the solid where the chord begins, `ends_inside` where it ends. The number of roots is odd if
+    /// the two differ, else even, even where g at the ends says otherwise.
     #[inline(always)]
     pub fn crossings(&self, inside: bool, ends_inside: bool) -> Crossings<'_> {
         Crossings::between(&self.g, [self.from, self.to], [inside, ends_inside])
     }
 
-    /// The hit at the root s of g, refined.
+    /// The hit at the root s of g. Its t is the root refined by Newton's method.
     #[inline(always)]
     pub fn hit(&self, s: f32, enters: bool) -> Hit {
         let ends = [self.origin + self.from, self.origin + self.to];
@@ -70,23 +71,24 @@ impl<'a> Chord<'a> {
 }
 
 /// The most steps of Newton's method that refine a root. They converge quadratically, except at an almost
-/// double root, where each step halves the error: from 2⁻¹² = √2⁻²⁴ of the chord, by which rounding can
-/// misplace a double root, to 2⁻²⁴.
+/// double root, where each step halves the error. Rounding can misplace a double root by 2⁻¹² of the chord,
+/// the square root of 2⁻²⁴; twelve steps bring that to 2⁻²⁴.
 const REFINING_STEPS: u32 = 12;
 
-/// The t of a root of g, by Newton's method from the t given, clamped to [from, to].
+/// Returns the t of a root of g near the t given, by Newton's method. The root is clamped to [from, to].
 ///
-/// Far from the point that g was formed about, g is off by a few units of 2⁻²⁴ of all its terms there, and
-/// its root accordingly. Formed anew about each approximation, g is off by units of f and x² + y² only. One
-/// step or two suffice, except where a segment comes to a point that is blunt only from very near: there the
-/// root is almost double, and each step halves the error. The last step is one of at most four units of 2⁻²⁴
-/// of t, or of 1, which is at most the largest radius: about what the rounding of t and of g leaves.
+/// Far from the point that g was formed about, rounding changes g by a few units of 2⁻²⁴ of all its terms
+/// there, and moves its root accordingly. So g is formed anew about each approximation, where rounding
+/// changes it by units of f and x² + y² only. One step or two suffice, except where a segment comes to a
+/// point that is blunt only from very near: there the root is almost double, and each step halves the error.
+/// The method ends with a step of at most four units of 2⁻²⁴ times 1 + |t|. That is about what the rounding
+/// of t and of g leaves, since the largest radius in the frame is at least 1.
 #[inline(always)]
 fn refined(ray: &LocalRay, segment: &Segment, mut t: f32, [from, to]: [f32; 2]) -> f32 {
     for _ in 0..REFINING_STEPS {
         let [c0, c1, c2, _] = ray.g_about(segment, t).c;
-        // For |c0·c2| ≥ c1²/4 the root of g's parabola is double, or missing, or the step is too long by
-        // half.
+        // With |c0·c2| ≥ c1²/4 the root of g's parabola is double or missing, or the step is too long by a
+        // fifth or more.
         if !(4.0 * (c0 * c2).abs() < c1 * c1) {
             break;
         }

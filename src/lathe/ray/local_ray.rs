@@ -8,7 +8,7 @@ use crate::ray::Ray;
 use crate::vector::{F32x3, dot, dot_xy};
 
 /// A ray in the lathe's frame, x scaled by √k. Its t counts from the point of the ray that is nearest to the
-/// frame's origin, so that all numbers have the size of the solid, however far away the ray comes from.
+/// frame's origin. So all numbers have the size of the solid, however far away the ray's own origin is.
 ///
 /// With x scaled, every lathe is round. So of x and y only the squared distance from the axis is kept, `x² +
 /// y² = square + q·(t − nearest)²`.
@@ -20,12 +20,13 @@ pub(crate) struct LocalRay {
     pub per_dz: f32,
     /// dx² + dy².
     pub q: f32,
-    /// The t at which the ray is nearest to the axis, and the squared distance from the axis there.
+    /// The t at which the ray is nearest to the axis, zero for a ray parallel to the axis; and the squared
+    /// distance from the axis there.
     pub nearest: f32,
     pub square: f32,
-    /// What is added to t for it to count from the ray's own origin.
+    /// The sum `t + shift` counts from the ray's own origin.
     pub shift: f32,
-    /// The t of the [`Ray`], times this, is `t + shift`.
+    /// The factor that turns a t of the [`Ray`] into `t + shift`.
     pub unit: f32,
 }
 
@@ -38,9 +39,9 @@ impl LocalRay {
         Self { shift: -back, unit: frame.scale * ray.unit, ..Self::through(o - d * back, d) }
     }
 
-    /// The ray through a point of the frame, x scaled by √k: t counts from the point, in units of
-    /// `direction`, and is not shifted. The point should lie near the solid: rounding is relative to its
-    /// distance.
+    /// The ray through a point of the frame, x scaled by √k. Its t counts from the point, in units of
+    /// `direction`; its shift is zero. The point should lie near the solid: the rounding errors of z and
+    /// square are relative to the point's distance from the frame's origin.
     #[inline(always)]
     pub fn through(point: F32x3, direction: F32x3) -> Self {
         let (p, d) = (point, direction);
@@ -59,15 +60,15 @@ impl LocalRay {
         self.per_dz > 0.0
     }
 
-    /// The t at which the ray enters and leaves the slab between two heights, `low` and `high`. Infinite, or
-    /// NaN at a height that the ray lies at, for a horizontal ray.
+    /// The t at which the ray enters the slab between the heights `low` and `high`, and the t at which it
+    /// leaves. For a horizontal ray each is infinite, or NaN if the ray lies at that height.
     #[inline(always)]
     pub fn slab(&self, low: f32, high: f32) -> (f32, f32) {
         let (low, high) = (self.plane(low), self.plane(high));
         if self.rises() { (low, high) } else { (high, low) }
     }
 
-    /// The t from `from` to `to` at which the ray is nearest to the axis.
+    /// The t in [from, to] at which the ray is nearest to the axis.
     #[inline(always)]
     pub fn closest(&self, from: f32, to: f32) -> f32 {
         lesser(to, greater(from, self.nearest))
@@ -107,7 +108,7 @@ impl LocalRay {
         (z - self.z) * self.per_dz
     }
 
-    /// The t of the [`Ray`] at this ray's t.
+    /// The t of the [`Ray`] at the point with this t.
     #[inline(always)]
     pub fn distance(&self, t: f32) -> f32 {
         (t + self.shift) / self.unit

@@ -37,7 +37,8 @@ impl<const N: usize> Lathe<[Segment; N]> {
     }
 }
 
-/// Room for C hits of a lathe of N segments, which must be enough for all that there can be.
+/// An empty vector for the hits of a lathe of N segments. Its capacity C must be at least 4·N + 1, the most
+/// hits that a ray can have: a smaller one does not compile.
 fn room<const N: usize, const C: usize>() -> Vec<Hit, C> {
     const {
         assert!(C > 4 * N, "a ray can meet a lathe of N segments 4·N + 1 times");
@@ -46,7 +47,7 @@ fn room<const N: usize, const C: usize>() -> Vec<Hit, C> {
 }
 
 impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
-    /// Hands over all crossings beyond `t_min`, in order, as [`Lathe::hits`] has them.
+    /// Calls `see` with each crossing beyond `t_min`, in order: the same as [`Lathe::hits`] returns.
     pub(crate) fn each_hit(&self, ray: &Ray, t_min: f32, see: impl FnMut(Hit)) {
         match self.view_with_spare().fast_path(ray, t_min) {
             Decision::Miss => {}
@@ -55,15 +56,15 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
         }
     }
 
-    /// The same by a traversal alone, with the solver S.
+    /// [`Lathe::each_hit`] with the solver S, by the traversal alone.
     pub(crate) fn each_hit_by<S: Solver>(&self, ray: &Ray, t_min: f32, see: impl FnMut(Hit)) {
         self.each_hit_on::<S>(ray, t_min, None, see);
     }
 
-    /// All crossings beyond `t_min` by the traversal, after `nearest`, if the fast path has found that. The
-    /// traversal finds this crossing again, a rounding earlier or later, and it is left out; if `t_min` lies
-    /// between the two, the traversal does not report it. Each t is at least the one before it: where
-    /// rounding puts a wall before the cap at its rim, the wall's t is raised.
+    /// Calls `see` with `nearest`, if the fast path has found it, and then with each crossing beyond `t_min`
+    /// that the traversal finds. The traversal finds `nearest` again, at a t that may differ by rounding;
+    /// this second report is left out. (There is none if its t is not beyond `t_min`.) Each t is at least the
+    /// one before it: where rounding puts a wall before the cap at its rim, the wall's t is raised.
     fn each_hit_on<S: Solver>(&self, ray: &Ray, t_min: f32, nearest: Option<Hit>, mut see: impl FnMut(Hit)) {
         let local = LocalRay::new(&self.frame, ray);
         let (mut count, mut last) = (0, f32::NEG_INFINITY);
@@ -87,8 +88,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// For most rays that come from outside, the fast path evaluates one segment or two, found by binary
     /// search, whatever the number of segments. For the others the segments near the ray are traversed.
     ///
-    /// A ray from inside, or through an open end, meets the wall from within: the hit leaves. A ray that lies
-    /// in the plane of a cap meets its rim.
+    /// A ray from inside, or one that comes in through an open end, meets the wall from within, and its hit
+    /// leaves the solid. A ray that lies in the plane of a cap meets the rim of the cap.
     // Not inlined: it needs all registers, and so do its callers.
     #[inline(never)]
     #[must_use]

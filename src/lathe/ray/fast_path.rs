@@ -8,8 +8,8 @@
 //!
 //! The steps are
 //!
-//! 1. Reject: the ray misses if it passes the bounding cylinder. That takes no division, for its distance
-//!    from the axis is its moment about the axis over √q.
+//! 1. Reject: the ray misses if it passes the bounding cylinder. Its distance from the axis is its moment
+//!    about the axis divided by √q, so the test compares squares and takes no division.
 //! 2. Place: the point nearest to the axis, or, if that is above or below the solid, the point on the plane
 //!    of the end.
 //! 3. Bound: the ray misses if the parabola stays below zero.
@@ -17,15 +17,15 @@
 //!    the solid. If that root is in the segment, Newton's method finds the cubic's root from there. If not,
 //!    steps 3 and 4 are repeated once, for the place at that root, or, if there is none, where the cubic
 //!    without its last term is largest.
-//! 5. Certify: if the slope A at the root exceeds J, `g ≤ −(A − J)·x + K·x²` at the distance x before it, so
-//!    the root is the nearest.
+//! 5. Certify: with the slope A at the root, `g ≤ −(A − J)·x + K·x²` at the distance x before the root. If A
+//!    exceeds J, that is negative for every x, and so the root is the nearest.
 //!
 //! Each decision keeps a tolerance, which is more than rounding can change g by:
 //!
 //! - For a miss, g must stay below zero by more than the tolerance.
-//! - For a hit, g must rise above the tolerance behind the root, as it does where `(A − J)² >
-//!   4·tolerance·|g″/2|`; and the ends of the segment and the start of the ray must be farther from the root
-//!   than the tolerance.
+//! - For a hit, g must rise above the tolerance somewhere beyond the root, as it does where
+//!   `(A − J)² > 4·tolerance·|g″/2|`; and the root must be farther than the tolerance from the ends of the
+//!   segment and from the start of the ray.
 //!
 //! All else is undecided and left to the *traversal*. Comparisons are written so that NaN decides nothing.
 //!
@@ -57,21 +57,22 @@ pub(super) enum Decision {
 /// (see [`LENGTH_TOLERANCE`](crate::lathe::frame::LENGTH_TOLERANCE)).
 const FLAT: f32 = 0.25;
 
-/// The most steps of Newton's method. From the root of the parabola, which is off by the cubic term only,
-/// most rays take one or two; four square an error of 1/4 to below 2⁻²⁵. A ray that needs more is undecided.
+/// The most steps of Newton's method. They begin at the root of the parabola, which is off by the cubic term
+/// only, and most rays take one or two. Each step squares the error: three bring an error of 1/4 to 2⁻¹⁶, and
+/// the fourth to 2⁻³². A ray that needs more is undecided.
 const NEWTON_STEPS: u32 = 4;
 
 /// The error in s that the last of Newton's steps may leave, in units of the direction: 2⁻²⁵, the rounding of
 /// s where it is at most 1.
 const ROOT_ERROR: f32 = 0.5 * UNIT_ROUNDOFF;
 
-/// What bounds g along a ray, whatever the place.
+/// What the bounds of g along a ray are computed from, the same at every place.
 struct Slopes<'a> {
     frame: &'a Frame,
     dz: f32,
     /// dx² + dy², x scaled by √k.
     q: f32,
-    /// convexity·dz²: K is this minus q, and negative.
+    /// convexity·dz². K is this minus q. A ray whose K is not negative is left undecided.
     convexity: f32,
 }
 
@@ -156,15 +157,16 @@ impl<'a> Expansion<'a> {
         if !(highest < 0.0) {
             return false;
         }
-        // A bound of the half slope on the way from the place into the solid. On an end's plane the solid
-        // lies on one side only, away from the point nearest to the axis: where s has the sign of
-        // place.half_slope.
+        // An upper bound of half the slope of g on the way from the place into the solid. If the place is on
+        // the plane of an end, the solid lies on one side of it only, the side away from the ray's point
+        // nearest to the axis. There s has the sign of place.half_slope.
         let half_slope = if has_one_side && place.half_slope != 0.0 {
             greater(slopes.half_jump() + c1 * 1_f32.copysign(place.half_slope), 0.0)
         } else {
             slopes.half_jump() + c1.abs()
         };
-        // The discriminant of highest + 2·half_slope·|s| + K·s².
+        // Whether highest + 2·half_slope·|s| + K·s², an upper bound of g + tolerance, has no root: whether
+        // its discriminant is negative.
         half_slope * half_slope < (slopes.convexity - slopes.q) * highest
     }
 }
@@ -193,8 +195,9 @@ impl Expansion<'_> {
         Guess::Elsewhere(if discriminant >= 0.0 { s } else { -c1 / c2 })
     }
 
-    /// Returns the root of g that Newton's method finds from s, and the slope of g before the last step;
-    /// `None` if four steps do not become small enough. `most` is an upper bound of |g″/2|.
+    /// Returns the root of g that Newton's method finds from s, and with it the slope of g before the last
+    /// step. `None` if after four steps the root may still be off by more than [`ROOT_ERROR`]. `most` is an
+    /// upper bound of |g″/2|.
     #[inline(always)]
     fn root_near(&self, mut s: f32, most: f32) -> Option<(f32, f32)> {
         let [c0, c1, c2] = self.parabola;
@@ -246,7 +249,8 @@ impl View<'_> {
             // The flatter the ray, the farther rounding of heights moves its point on a plane, and x² + y²
             // with it.
             tolerance *= 1.0 + (place.half_slope / d.z).abs();
-            // The solid lies behind the plane only, where the ray is farther from the axis still.
+            // The solid lies only on the far side of the plane, and there the ray is farther from the axis
+            // than here.
             if place.square > frame.bounding_square + tolerance {
                 return Decision::Miss;
             }
@@ -287,18 +291,20 @@ impl View<'_> {
         let way = s - place.back;
         let unit = frame.scale * ray.unit;
         let t = way / unit;
-        // This margin, m = (A − J)/2, is that before the last step b, which changed half the slope by up to
-        // most·|b|. By root_near, (most·b)² ≤ most·ROOT_ERROR·A; by the first test, m² > 2·most·tolerance. So
+        // The margin m = (A − J)/2 is computed with the slope A before Newton's last step b. That step
+        // changes half the slope by up to most·|b|. By root_near, (most·b)² ≤ most·ROOT_ERROR·A; by the first
+        // test, m² > 2·most·tolerance. So
         //
         //     (most·b/m)² < ROOT_ERROR·A/(2·tolerance) < 0.075 = 0.274²
         //
-        // since the tolerance is at least 80·ROOT_ERROR·(2 + S), and A ≤ |d|·(S + 4) ≤ 12·(2 + S) for |d| ≤
-        // 4. After the step (1 − 0.274)²·m² > 1.05·most·tolerance is left: g rises above the tolerance behind
-        //    the root. The tolerance grows with |d| as A does, times the distance of the origin in the frame:
-        //    from 0.4 on this holds for any direction. Nearer, with a direction longer than 6.8, up to 43, at
-        //    least an eighth of the tolerance is left.
+        // since the tolerance is at least 80·ROOT_ERROR·(2 + S), and A ≤ |d|·(S + 4) ≤ 12·(2 + S) for |d|
+        // ≤ 4. The step leaves of m² at least (1 − 0.274)²·m² > 1.05·most·tolerance, and so g rises above the
+        // tolerance beyond the root. The tolerance grows with |d| as A does, times the distance of the origin
+        // in the frame: if that distance is 0.4 or more, this holds for any direction. If the origin is
+        // nearer and |d| is more than 6.8, up to 43, at least an eighth of the tolerance is left.
         //
-        // Beyond t_min the root is ahead, and so the margin must be positive.
+        // By is_beyond, way − t_min·unit is positive. So the third test holds only if the margin is positive,
+        // too.
         let is_certain = margin * margin > 2.0 * most * tolerance
             && lesser(u, 1.0 - u) > tolerance * expansion.segment.per_height
             && (way - t_min * unit) * margin > tolerance

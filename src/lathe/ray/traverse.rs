@@ -11,10 +11,11 @@ use crate::math::{Math, UNIT_ROUNDOFF};
 use crate::solve::Solver;
 use core::ops::ControlFlow;
 
-/// The relative error of the t at which a ray is nearest to the axis, and of what is computed from it: two
-/// roundings of q, a product and a sum, one of the quotient and one of the sum with `half`. The rounding of
-/// the quotient's numerator moves that t by 2·2⁻²⁴ of the ray's distance over √q: the widening of the
-/// bounding cylinder covers it (see [`widened`](crate::lathe::segment::widened)).
+/// The relative error of the t at which a ray is nearest to the axis, and of what [`Interval::new`] computes
+/// from it, has four units of 2⁻²⁴: two of q, which is a product and a sum, one of the quotient `nearest`,
+/// and one of the sum with `half`. The numerator of the quotient is rounded, too. That moves the t by 2·2⁻²⁴
+/// of the ray's distance over √q, which the widening of the bounding cylinder covers (see
+/// [`widened`](crate::lathe::segment::widened)).
 const NEAREST_ERROR: f32 = 4.0 * UNIT_ROUNDOFF;
 
 /// Where a ray may meet a lathe: from `from` to `to`, in the local ray's t.
@@ -44,7 +45,8 @@ impl Interval {
         let inner = greater(first, bottom);
         let from = greater(inner, ray.nearest - half);
         let to = lesser(ray.nearest + half, top);
-        // It is infinite for a ray that lies along an infinite sheet: g is the same all along such a ray.
+        // The interval is infinite for a ray that lies along an infinite sheet: g is the same all along such
+        // a ray.
         if !(from < to && (to - from).is_finite()) {
             return None;
         }
@@ -57,11 +59,12 @@ impl Interval {
 /// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
 /// until `meet` breaks off. Returns what `meet` broke off with, or `None` if it never did.
 ///
-/// The state is on which side of the surface the ray is. On the plane between two segments their common
-/// radius decides it, for both: a crossing that one of them finds beyond its end, and the other before its
-/// beginning, is reported there. Where they have no common radius, at a step, each side of the plane has its
-/// own, and a ray that changes sides there meets the ring between the two. The plane of an end is a step,
-/// too, to the radius of what is open there.
+/// The state is on which side of the surface the ray is. On the plane between two segments the radius common
+/// to both decides it. Rounding may put a crossing near the plane beyond the end of the first segment and
+/// before the beginning of the second; it is then reported on the plane. Where the two have no common radius,
+/// at a step, each side of the plane has its own, and a ray that changes sides there meets the ring between
+/// the two. The plane of an end is such a step, between the radius of the wall and that of the opening, which
+/// is zero at a cap.
 #[inline(always)]
 pub(super) fn traverse<S: Solver, B>(
     lathe: View<'_>,
@@ -160,9 +163,9 @@ impl<'a> Traversal<'a> {
         let (end, is_to_plane) = (lesser(to, plane), plane <= to);
         let is_near = ray.around(ray.closest(at, end)).0 <= segment.bounding_square;
         self.square = ray.around(end).0;
-        // A chord outside the segment's cylinder is passed over, unless the ray comes into it inside the
-        // solid: then rounding has put the crossing behind the plane, and the chord finds it at its
-        // beginning.
+        // A chord outside the segment's cylinder is passed over, unless the ray is inside the solid where it
+        // comes to the segment. Then rounding has put the crossing out of the solid beyond the plane, and the
+        // chord reports it at its beginning.
         if is_near || self.inside {
             let ends_inside = is_to_plane && segment.end(up) > self.square;
             let chord = Chord::new(ray, segment, self.index, [at, end]);
@@ -172,17 +175,17 @@ impl<'a> Traversal<'a> {
                 report(chord.hit(s, self.inside))?;
             }
         }
-        // If it comes to no plane it ends on the bounding cylinder, and is outside for good.
+        // If the ray comes to no plane, the chord ends on the bounding cylinder, and the ray stays outside.
         (self.at, self.before) = (end, Some(segment.end(up)));
         self.index = self.index.wrapping_add(if up { 1 } else { usize::MAX });
         ControlFlow::Continue(is_to_plane)
     }
 }
 
-/// The hit on a plane where a ray changes sides, at the [`Ray`](crate::Ray)'s t: on the ring there, if
-/// `is_step`; else on the circle of the wall, where a segment is too low for the crossing to be found within.
-/// `index` is the number of the segment behind the plane, one past the last or `usize::MAX` if there is none;
-/// `up` says whether the ray rises, `enters` whether it enters the solid.
+/// The hit on a plane where a ray changes sides, at the t of the [`Ray`](crate::Ray). It is on the ring of
+/// the plane if `is_step`; else on the circle of the wall, where the height of a segment is too small for the
+/// crossing to be found within it. `index` is the number of the segment behind the plane, one past the last
+/// or `usize::MAX` if there is none; `up` says whether the ray rises, `enters` whether it enters the solid.
 #[inline(never)]
 fn plane_hit(frame: &Frame, t: f32, index: usize, is_step: bool, up: bool, enters: bool) -> Hit {
     // The number of the segment above the plane.

@@ -99,10 +99,9 @@ impl<'a> Scene<'a> {
     {
         let area = display.bounding_box();
         let Size { width, height } = area.size;
-        // The raster borrows the scene's parts: a `Picture` would copy them to the stack.
-        let Self { solids, camera, light, background } = self;
-        let order = &PaintOrder::of(solids, camera);
-        let raster = Raster { solids, camera, light, background, order, width, height };
+        // The raster borrows the scene: a `Picture` would copy it to the stack.
+        let order = &PaintOrder::of(self.solids, &self.camera);
+        let raster = Raster { scene: self, order, width, height };
         match Pixels::new(&raster, (0, 0), (width, height), run) {
             Some(pixels) => display.fill_contiguous(&area, pixels),
             None => Ok(()),

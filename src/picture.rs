@@ -10,12 +10,9 @@ mod solid_row;
 pub(crate) use pixels::Pixels;
 pub(crate) use raster::{RUN, Raster};
 
-use crate::camera::Camera;
-use crate::color::{Background, Paint};
-use crate::light::Light;
+use crate::color::Paint;
 use crate::occlusion::PaintOrder;
 use crate::scene::Scene;
-use crate::solid::Solid;
 
 /// A scene and the size of its picture in pixels. Rows are computed when they are asked for.
 ///
@@ -44,10 +41,7 @@ use crate::solid::Solid;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Picture<'a> {
-    solids: &'a [Solid<'a>],
-    camera: Camera,
-    light: Light,
-    background: Background,
+    scene: Scene<'a>,
     order: PaintOrder,
     width: u32,
     height: u32,
@@ -58,9 +52,7 @@ impl<'a> Scene<'a> {
     #[must_use]
     #[inline]
     pub const fn picture(&self, width: u32, height: u32) -> Picture<'a> {
-        let Self { solids, camera, light, background } = self;
-        let order = PaintOrder::of(solids, camera);
-        Picture { solids, camera: *camera, light: *light, background: *background, order, width, height }
+        Picture { scene: *self, order: PaintOrder::of(self.solids, &self.camera), width, height }
     }
 }
 
@@ -100,7 +92,7 @@ impl Picture<'_> {
 
     /// What the picture's rows are computed from, by reference.
     pub(crate) const fn raster(&self) -> Raster<'_> {
-        let Self { solids, camera, light, background, order, width, height } = self;
-        Raster { solids, camera, light, background, order, width: *width, height: *height }
+        let Self { scene, order, width, height } = self;
+        Raster { scene, order, width: *width, height: *height }
     }
 }

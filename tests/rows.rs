@@ -4,6 +4,7 @@
 //! SCENES=20000 cargo test --release --test rows random -- --nocapture       a hundred times as many, in a minute or two
 //! ```
 
+mod promise;
 mod random;
 #[path = "../examples/scenes/mod.rs"]
 #[allow(dead_code)]
@@ -14,6 +15,7 @@ use embedded_lathe::{
     Background, Camera, End, Lathe, Light, Paint, Pose, Profile, Ray, Rgb, Rotation, Scene, Segment, Sheet,
     Solid,
 };
+use promise::{PROMISE, unit};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use random::{even, random_camera, random_lathe, upright_camera};
@@ -30,8 +32,8 @@ struct Known<'a> {
 
 impl Known<'_> {
     /// What one ray by itself sees: Lambert's share of the nearest solid's color. Of two solids at the same
-    /// distance, but for rounding, either: where one stands on another, their faces are each off by 4 units
-    /// of 2⁻²⁴ of size, distance and t, as docs/ACCURACY.md has it, across the face.
+    /// distance, but for rounding, either: where one stands on another, their faces are each off by as many
+    /// units as is promised of a hit's point, across the face.
     fn seen(&self, ray: &Ray) -> Vec<Rgb> {
         let solids = self.scene.solids.iter().zip(self.colors);
         let hits: Vec<_> =
@@ -41,9 +43,9 @@ impl Known<'_> {
         let seen = hits.iter().filter(|(hit, solid, _)| {
             let (direction, normal) = (ray.direction(), solid.surface(ray, hit).normal);
             let across = (0..3).map(|i| direction[i] * normal[i]).sum::<f32>().abs();
-            let lengths = 2.0 + size(ray.origin()) + hit.t * size(direction);
+            let distances = size(ray.origin()) + hit.t * size(direction);
             hit.t <= nearest * (1.0 + 8.0 * f32::EPSILON)
-                || (hit.t - nearest) * across <= 8.0 * lengths / 16_777_216.0
+                || f64::from((hit.t - nearest) * across) <= 2.0 * PROMISE * unit(2.0, distances.into())
         });
         let length = self.towards.iter().map(|c| c * c).sum::<f32>().sqrt();
         let colors = seen.map(|(hit, solid, color)| {

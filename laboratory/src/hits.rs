@@ -5,7 +5,7 @@
 //!
 //! The error of "the nearest crossing is at t" is the least displacement that makes it true: of the point there, onto the surface; and of
 //! every point before it that is on the wrong side, out of there (or beyond an end, or before the ray's start). In units
-//! of the promise ([`crate::unit`]). Points are sampled densely, so it too is a lower bound.
+//! of the promise ([`crate::unit()`]). Points are sampled densely, so it too is a lower bound.
 //!
 //! [`Truth::judge_unsure`] lets the squared radius be off as well, by so much everywhere, before it displaces
 //! anything: near the axis that is a large displacement.

@@ -49,7 +49,7 @@ const UNITS: f64 = 1.0 / ROUNDOFF;
 /// What no change of the coefficients below so many units of 2⁻²⁴ explains is called wrong, whoever says it.
 pub const WRONG: f64 = 64.0;
 
-/// What no displacement below so many units ([`unit`]) explains is a wrong intersection, whoever made it: four
+/// What no displacement below so many units ([`unit()`]) explains is a wrong intersection, whoever made it: four
 /// times what the crate promises.
 pub const DISPLACEMENT: f64 = 4.0 * PROMISE;
 

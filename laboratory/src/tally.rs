@@ -3,7 +3,7 @@
 /// Answers of one method to one family.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// Backward errors in units of 2⁻²⁴, or displacements in units of the promise ([`crate::unit`]).
+    /// Backward errors in units of 2⁻²⁴, or displacements in units of the promise ([`crate::unit()`]).
     units: Vec<f64>,
     /// From the first root to the one answered, where there are both: in units of 2⁻²⁴ of the interval, or of
     /// size + distance.

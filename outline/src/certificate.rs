@@ -72,7 +72,11 @@ impl Search<'_> {
             }
             let cut = self.proof.cut(middle);
             let here = self.proof.inner(cut, cut);
-            self.known = if here.is_finite() { self.known.max(here) } else { self.known };
+            // No halving proves less than what a single place takes.
+            if !(here <= self.proof.tolerance) {
+                return bound.max(here);
+            }
+            self.known = self.known.max(here);
             self.add(a, cut);
             self.add(cut, b);
         }
@@ -191,6 +195,8 @@ struct Proof<'a> {
     /// Up to this s below, and from that one above, lines are upright.
     upright: [f64; 2],
     size: f64,
+    /// What exceeds it need not be known closely.
+    tolerance: f64,
 }
 
 /// A piece between two t, in balls.
@@ -280,7 +286,7 @@ impl<'a> Proof<'a> {
         let low = part.clone().find(|s| near(*s, section.low.at)).filter(|_| steps[0]);
         let high = part.map(|s| length - s).find(|s| near(*s, section.high.at)).filter(|_| steps[1]);
         let upright = [low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY)];
-        Self { section, segments, steps, upright, size: radius + height }
+        Self { section, segments, steps, upright, size: radius + height, tolerance }
     }
 
     /// The bound, with boxes at tips as large as they may be without exceeding `small` (or else as good as they

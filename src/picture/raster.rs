@@ -3,10 +3,10 @@
 use super::canvas::Canvas;
 use super::depth::{Depth, Depths, Over};
 use super::solid_row::SolidRow;
-use crate::camera::{Camera, Row};
-use crate::color::{Background, Paint, most_shades};
-use crate::light::Light;
+use crate::camera::Row;
+use crate::color::{Paint, most_shades};
 use crate::occlusion::PaintOrder;
+use crate::scene::Scene;
 use crate::shade::Finish;
 use crate::solid::Solid;
 
@@ -22,16 +22,13 @@ pub(crate) const RUN: usize = 40;
 /// displays: if the two halves of a row are mirror images, only one is swept.
 const MOST_DEPTHS: usize = 240;
 
-/// The parts of a scene, the size of its picture in pixels, and the order in which its solids are painted.
+/// A scene, the size of its picture in pixels, and the order in which its solids are painted.
 ///
 /// It borrows what a [`Picture`](super::Picture) owns: a frame that is drawn keeps no copy of the scene on
 /// the stack.
 #[derive(Clone, Copy)]
 pub(crate) struct Raster<'a> {
-    pub solids: &'a [Solid<'a>],
-    pub camera: &'a Camera,
-    pub light: &'a Light,
-    pub background: &'a Background,
+    pub scene: &'a Scene<'a>,
     pub order: &'a PaintOrder,
     pub width: u32,
     pub height: u32,
@@ -49,9 +46,9 @@ impl Raster<'_> {
             return;
         };
         self.background(x, y, part);
-        let row = Row { camera: self.camera, y, width: self.width, height: self.height };
+        let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
         let mut rank = 0;
-        while let Some(solid) = self.solids.get(self.order.index(rank)) {
+        while let Some(solid) = self.scene.solids.get(self.order.index(rank)) {
             if rank == self.order.block {
                 // A short part gets the smaller memory: a scene that is drawn run by run has little stack.
                 let paint =
@@ -82,7 +79,7 @@ impl Raster<'_> {
     #[inline(never)]
     fn by_depth<C: Paint>(&self, row: &Row, x: u32, part: &mut [C], nearest: &mut [f32]) {
         nearest.fill(f32::INFINITY);
-        let Self { solids, order, .. } = *self;
+        let Self { scene: Scene { solids, .. }, order, .. } = *self;
         let first = order.block;
         let mut depths = Depths { nearest, solids, order, first, rank: first, error: 0.0 };
         while depths.rank < order.beyond {
@@ -96,7 +93,7 @@ impl Raster<'_> {
     /// Fills `part`, which begins in column x of row y, with the background.
     #[inline(never)]
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
-        let shades = self.background.row(y, self.height).shades(most_shades::<C>()).rounded();
+        let shades = self.scene.background.row(y, self.height).shades(most_shades::<C>()).rounded();
         for (pixel, x) in part.iter_mut().zip(x..) {
             *pixel = C::shade(shades, x, y);
         }
@@ -114,7 +111,7 @@ impl Raster<'_> {
                 continue;
             }
             depth.begin(&along);
-            let finish = Finish::new::<C>(solid, sheet.color().unwrap_or(solid.color()), self.light);
+            let finish = Finish::new::<C>(solid, sheet.color().unwrap_or(solid.color()), &self.scene.light);
             let mut canvas = Canvas::new(finish, &along, (x, row.y), run, depth);
             canvas.half_row(&mut along);
             if along.sweep.reverse() {

@@ -10,23 +10,25 @@ use crate::vector::{F32x3, cross, dot, dot_xy, one_norm, vector};
 
 /// The half-width, in g, of the *undecided band* about zero; what rounding can do comes on top.
 ///
-/// The value is a choice. It is 128 times the error in s that Newton's method leaves ([`ROOT`]). A change of
-/// g by it is one of a radius r by 2⁻¹³/r, since g changes by 2·r times as much. In the frame the largest
-/// radius is between 1 and 2, and there that is a hundredth of a pixel if the solid is 240 pixels wide.
+/// The value is a choice. It is 128 times the error in s that Newton's method leaves ([`ROOT`]). Where the
+/// radius is r, g changes by 2·r times as much as the radius does. So a change of g by the tolerance is a
+/// change of the radius by 2⁻¹³/r. In the frame the solid's largest radius is between 1 and 2: at that radius
+/// the change is about a hundredth of a pixel if the solid is 240 pixels wide.
 const TOLERANCE: f32 = 1.0 / 4096.0;
 
-/// The error in s that the last step of Newton's method may leave, 2⁻¹⁹, in units of the direction.
+/// The error in s that the last step of Newton's method may leave, 2⁻¹⁹: s is counted in lengths of the ray's
+/// direction.
 ///
-/// Along a surface of radius 1 it turns the normal by 2⁻¹⁹, and so changes a shade of 255 by 2⁻¹¹ of a step
-/// at most.
+/// If the direction's length is 1, such an error turns the normal of a surface of radius 1 by 2⁻¹⁹, and so
+/// changes one of 255 shades by 2⁻¹¹ of a shade at most.
 const ROOT: f32 = 1.0 / 524_288.0;
 
 /// A bound of what the additions of a run of tracked pixels can do to g: a sixteenth of the tolerance, see
 /// `track.rs`.
 const ADDITIONS: f32 = TOLERANCE / 16.0;
 
-/// A row whose tolerance is not less than this is of no use. It is a quarter of 1, the least that the square
-/// of the largest radius can be.
+/// The bounds are of no use if the tolerance is not less than this: a quarter of the least value that the
+/// square of the solid's largest radius can have in the frame, which is 1.
 const MOST_TOLERANCE: f32 = 0.25;
 
 /// The factor by which the ball around the solid is enlarged, so that a ray outside of it misses by more than
@@ -34,8 +36,8 @@ const MOST_TOLERANCE: f32 = 0.25;
 /// g ≤ −(1.125² − 1)·R² < −0.26, and a usable row's tolerance is below [`MOST_TOLERANCE`].
 const WIDENED: f32 = 1.125;
 
-/// How far along the rays, in units of [`RowBounds::span`], the point of a given height may move within the
-/// pixels that one probe certifies.
+/// How far along the rays the point where a ray has a given height may move within the pixels that one probe
+/// certifies, in units of [`RowBounds::span`].
 ///
 /// The value is a choice. If it is larger, a probe may hold for more pixels, but it has to bound g along a
 /// longer part of its ray.
@@ -60,7 +62,9 @@ pub(super) struct RowBounds<'a> {
     /// begin too near the solid, or begin so far away that rounding decides. Then every pixel gets a *single
     /// ray*.
     pub is_usable: bool,
-    /// What relates s to the distance t from a ray's origin: `unit·t = shift + s`.
+    /// What relates s to the distance t along a ray: `unit·t = shift + s`. `shift` is the distance from the
+    /// ray's origin to where s is zero, counted like s in lengths of D; `unit` is how many of these make a t
+    /// of 1.
     pub shift: f32,
     pub unit: f32,
     /// The column that the right half begins with, the number of columns of the left half, and whether the
@@ -81,21 +85,22 @@ pub(super) struct RowBounds<'a> {
     /// True if all rays rise, false if all fall. `None` if neither is certain, or if the bounds are of no
     /// use.
     pub rising: Option<bool>,
-    /// How fast heights change from pixel to pixel: the largest |∂z/∂i| at any s within the span, divided by
-    /// `SPANS·span`.
+    /// A bound of how fast heights change from pixel to pixel: the largest |∂z/∂i| at any s within the span,
+    /// divided by `SPANS·span`. Divided by |dz| it is one over the number of pixels in which the point of a
+    /// given height moves along the rays by `SPANS·span`.
     pub drift: f32,
     /// How far rounding can move a point: [`LENGTH_TOLERANCE`] times the sum of the eye's distance and the
     /// solid's size.
     pub slip: f32,
-    /// The half-width of the *undecided band*, in height and in g where the profile is a cylinder: the row
-    /// decides nothing where a height is nearer to an end than this, or g nearer to zero. What a slope adds
-    /// to it is in [`RowBounds::tolerance_in`].
+    /// The half-width of the *undecided band*, in height, and in g where the profile is a cylinder: the row
+    /// decides nothing where a height is nearer to an end than this, or g is nearer to zero. In g it grows
+    /// with the slope of the profile, see [`RowBounds::tolerance_in`].
     pub tolerance: f32,
     /// A bound of D² of all rays.
     pub longest: f32,
-    /// The least slope A, in a cylinder, of a tracked root whose distance may be compared with another
-    /// solid's: a sixteenth of the length of the longest direction. At a cap |dz| must be A/4 at least. Zero
-    /// if distances are not compared.
+    /// The least slope A that a root tracked in a cylinder must have for its distance to be compared with
+    /// another solid's: a sixteenth of the length of the longest direction. For a cap's distance |dz| must be
+    /// at least a quarter of this least slope. Zero if distances are not compared.
     pub least_slope: f32,
 }
 
@@ -131,9 +136,10 @@ impl RowPart {
 }
 
 impl<'a> RowBounds<'a> {
-    /// The bounds of a part's rays. These are given in the frame and counted from the middle one, whose M and
-    /// D are perpendicular. `shift` and `unit` are as in [`RowBounds`]. `rough` bounds the sum of the
-    /// coordinates, in the frame, to which the origins of the rays were rounded one by one, or is zero.
+    /// The bounds of a part's rays. The rays are given in the frame and counted from the middle one, whose M
+    /// and D are perpendicular. `shift` and `unit` are as in [`RowBounds`]. `rough` is an upper bound of
+    /// |x| + |y| + |z| over the origins of the rays, in the frame, if each of them was rounded by itself; it
+    /// is zero if they have one origin.
     #[inline(always)]
     pub fn new(lathe: View<'a>, rays: &RayRow, shift: f32, unit: f32, rough: f32, part: &RowPart) -> Self {
         let (half, center) = (part.half(), part.center());
@@ -195,8 +201,8 @@ impl<'a> RowBounds<'a> {
         };
         // In a usable row D² ≤ 2·square for every ray, square being that of the middle one. For D² = square +
         // 2i·⟨D, D₁⟩ + i²·D₁². The span is at least half²·D₁²·shift/least; the eye is outside of the span,
-        // that is shift > span; so half²·D₁² < least, and least = square − 2·half·|⟨D, D₁⟩|. The rest of 2.25
-        // is for rounding.
+        // that is shift > span; so half²·D₁² < least, and least = square − 2·half·|⟨D, D₁⟩|. The factor is
+        // 2.25 rather than 2 because of rounding.
         let longest = 2.25 * square;
         let has_one_side = is_usable && d.z.abs() > half * d1.z.abs();
         let least_slope = if part.has_depth { 0.0625 * Native::sqrt(longest) } else { 0.0 };
@@ -225,13 +231,15 @@ impl<'a> RowBounds<'a> {
 }
 
 impl RowBounds<'_> {
-    /// The tolerance in g in a segment. A slope S adds what rounding of a height does to F.
+    /// The half-width of the undecided band in g, in a segment. It is larger where the profile is steep, by
+    /// as much as the rounding of a height changes F.
     #[inline(always)]
     pub fn tolerance_in(&self, segment: &Segment) -> f32 {
         self.tolerance + self.slip * segment.max_slope()
     }
 
-    /// The bounds of a segment: what is steep or curved in one segment is paid for there.
+    /// What a root must satisfy in a segment. A segment that is steep or curved asks for more, and leaves the
+    /// others as they are.
     #[inline(always)]
     pub fn in_segment(&self, segment: &Segment) -> SegmentBounds {
         let tolerance = self.tolerance_in(segment);
@@ -243,13 +251,13 @@ impl RowBounds<'_> {
     }
 
     /// A bound of the difference, in t, between the distance of a tracked root or of a cap and the distance
-    /// that a single ray finds there. In a segment of slope S slopes are to be at least `A·(1 + S/2)`, see
-    /// [`RowBounds::least_slope`].
+    /// that a single ray finds there. It holds where the slope of g at the root is at least `L·(1 + S/2)`: L is
+    /// [`RowBounds::least_slope`], and S is the largest |dF/dz| of the segment.
     ///
     /// The distance of a root is off by the error of g, from rounding and a run's additions, divided by the
     /// slope, and by what the last step of Newton's method leaves. Both count twice, for the single ray has
-    /// them as well. The error of g is 1 + S/2 times that in a cylinder: the quotient is the same for all
-    /// segments. The distance of a cap is off by the error of its height divided by |dz|, which is A/4 at
+    /// them as well. The error of g is 1 + S/2 times that in a cylinder, so that the quotient is the same for
+    /// all segments. The distance of a cap is off by the error of its height divided by |dz|, which is L/4 at
     /// least. In addition every distance is rounded itself.
     pub fn depth_error(&self) -> f32 {
         (2.0 * ROOT + (4.0 * self.slip + 2.0 * ADDITIONS) / self.least_slope + self.slip) / self.unit
@@ -257,8 +265,9 @@ impl RowBounds<'_> {
 }
 
 /// A bound of the difference of g, at the same s within the span, between the rays one pixel before the
-/// middle and one pixel after it; `drop` bounds how much F differs. For n pixels before and after it is n
-/// times as much: x² + y² is quadratic in the pixel's number, and only its linear term differs.
+/// middle and one pixel after it. `drop` bounds how much F changes from one pixel to the next at the same s.
+/// Between the rays n pixels before the middle and n pixels after it, the difference is n times as large:
+/// x² + y² is quadratic in the pixel's number, and only its linear term differs.
 #[inline(always)]
 fn asymmetry(rays: &RayRow, span: f32, drop: f32) -> f32 {
     let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *rays;
@@ -275,9 +284,9 @@ struct Plane {
 }
 
 impl Plane {
-    /// The plane of the rays; `square` is that of the cylinder's radius. The distance from the axis of
-    /// the plane's line at a height is proportional to how far the height is from where the plane meets the
-    /// axis.
+    /// The plane of the rays; `square` is the square of the cylinder's radius. At each height the plane has
+    /// a level line. The distance of that line from the axis is proportional to the difference between its
+    /// height and the height at which the plane meets the axis.
     #[inline(always)]
     fn of(rays: &RayRow, square: f32) -> Self {
         let normal = cross(rays.origin_step, rays.direction);
@@ -287,7 +296,8 @@ impl Plane {
     }
 }
 
-/// About which pixel's ray passes nearest to a point, counted from the middle of the part, and not rounded.
+/// The approximate number of the pixel whose ray passes nearest to a point, counted from the middle of the
+/// part. It is not rounded to a whole number.
 #[inline(always)]
 fn nearest_pixel(rays: &RayRow, point: F32x3) -> f32 {
     let RayRow { origin, origin_step, direction, direction_step } = *rays;

@@ -1,5 +1,6 @@
-//! Pixels whose rays come in through a cap. That is then the first thing they meet: the rays of a usable row
-//! begin outside of the ball around the solid, and all of the solid lies on the far side of the cap's plane.
+//! Pixels whose rays come in through a cap. Such a ray meets nothing of the solid before the cap: the rays of
+//! a usable row begin outside of the ball around the solid, and all of the solid lies on the far side of the
+//! cap's plane.
 
 use super::sweep::{Span, Sweep};
 use crate::vector::dot_xy;
@@ -30,7 +31,7 @@ impl Sweep<'_> {
     }
 
     /// The first pixel, from the i-th on, whose ray does not clearly pass through a cap, or the number of
-    /// pixels if there is none. `square` is that of the cap's radius. The cap is that of the lower end if the
+    /// pixels if there is none. `square` is the square of the cap's radius. The cap is that of the lower end if the
     /// rays rise, of the upper end if they fall.
     #[inline(never)]
     fn cap_until(&self, mut i: u32, square: f32, is_rising: bool) -> u32 {
@@ -40,7 +41,8 @@ impl Sweep<'_> {
             let (m, d) = self.ray(i);
             let p = m + d * ((z - m.z) / d.z);
             // An error of the height moves the point by 1/|dz| times as much: so the flatter the ray, the
-            // farther from the rim the point has to be. The tolerance is meant for |dz| = 1.
+            // farther from the rim the point has to be. At |dz| = 1 its r² has to be less than the cap's by
+            // the tolerance.
             let is_clear = (square - dot_xy(p, p)) * d.z.abs() > self.bounds.tolerance;
             if !(is_clear && 4.0 * d.z.abs() >= self.bounds.least_slope) {
                 break;

@@ -31,7 +31,7 @@ impl Seen {
 /// What the normals of a segment's wall are computed from, at the points of a tracked root.
 pub(super) struct Wall {
     /// √k times the root's sign.
-    root_squash: f32,
+    signed_squash: f32,
     /// The coefficients of −½·dF/dz times the root's sign, in powers of u, constant term first.
     e: [f32; 3],
 }
@@ -43,18 +43,18 @@ impl Wall {
     pub fn new(segment: &Segment, sign: f32, root_squash: f32) -> Self {
         let Segment { per_height, f: [_, c1, c2, c3], .. } = *segment;
         let along = -0.5 * sign * per_height;
-        Self { root_squash: sign * root_squash, e: [along * c1, along * 2.0 * c2, along * 3.0 * c3] }
+        Self { signed_squash: sign * root_squash, e: [along * c1, along * 2.0 * c2, along * 3.0 * c3] }
     }
 
     /// What is seen at a point of the wall, given its x, scaled by √k, its y times the root's sign, and its
     /// parameter u in the segment.
     ///
     /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`, of which √k·x is the given
-    /// x. It points outwards. From inside the other side of the wall is seen, so that the sign changes: in
-    /// `root_squash` and `e` here, and in y before.
+    /// x. It points outwards. If the wall is seen from inside, all three components change their signs: those
+    /// of x and z because `signed_squash` and `e` contain the root's sign, that of y because `signed_y` does.
     #[inline(always)]
     pub fn seen(&self, x: f32, signed_y: f32, u: f32) -> Seen {
         let [e0, e1, e2] = self.e;
-        Seen::new(vector([self.root_squash * x, signed_y, (e2 * u + e1) * u + e0]))
+        Seen::new(vector([self.signed_squash * x, signed_y, (e2 * u + e1) * u + e0]))
     }
 }

@@ -9,8 +9,9 @@ use crate::lathe::segment::Segment;
 impl Lathe {
     /// Sets up the traversal of a part of a row of rays, at its right half. The rays are given in object
     /// space; pixel i of `rays` is column i of the row. The point of a ray at distance t is its origin plus
-    /// `unit·t` times its direction. `rough` bounds the sum of the coordinates, in units of t, to which the
-    /// origins of the rays were rounded one by one; it is zero if all rays have the same origin.
+    /// `unit·t` times its direction. `rough` is an upper bound of |x| + |y| + |z| over the origins of the
+    /// rays, measured in the world, where each of them was rounded by itself; it is zero if all rays have the
+    /// same origin.
     #[inline(always)]
     pub(crate) fn sweep(&self, rays: &RayRow, unit: f32, rough: f32, part: &RowPart) -> Sweep<'_> {
         let lathe = self.view();
@@ -22,7 +23,8 @@ impl Lathe {
             direction_step: frame.squashed(rays.direction_step),
         };
         // The rays are counted from the whole row's center first, whatever part is asked for, so that the
-        // distance of a far eye is rounded in the same way for all parts. Then from the part's own center.
+        // distance of a far eye is rounded in the same way for all parts. Then they are counted from the
+        // part's own center.
         let center = part.center();
         let row_center = 0.5 * part.width as f32 - 0.5;
         let (mut shift, mut from, mut to) = (0.0, 0.0, row_center);

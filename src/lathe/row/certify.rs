@@ -1,27 +1,30 @@
 //! Whether a tracked root is its ray's nearest: whether g keeps its sign all along the ray before it.
 //!
 //! Where the ray enters the solid at the root, the slope of g there most often proves it. Let A = dg/ds be
-//! that slope, and J the sum of the *slope jumps* at the knots that the ray may have passed before, times
-//! |dz|. Between knots `g″ ≤ 2K`, with `K = convexity·dz² − q` of the segment. Then, at a distance p before the
+//! that slope, and let J be |dz| times the sum of the *slope jumps* at the knots that the ray may have passed
+//! before. Between knots `g″ ≤ 2K`, with `K = convexity·dz² − q` of the segment. Then, at a distance p before the
 //! root,
 //!
 //! `g ≤ −(A − J)·p + K·p²`,
 //!
 //! which is negative if `K ≤ 0 < A − J`. So one comparison a pixel certifies the root, as far back along the
 //! ray as all segments have K ≤ 0. Where the ray leaves the solid at the root, g is concave through the same
-//! segments, and so it is positive in them if it is positive where the ray comes into the first of them.
+//! segments but for slope jumps, which take less than a quarter of the tolerance from it. So g is positive in these
+//! segments if it is positive where the ray comes into the first of them.
 //!
-//! These proofs reach back to a segment with K > 0, or to a slope jump that is more than rounding. For the
-//! part of the ray before, an upper bound from its cubics certifies that g keeps its sign, and for how many
-//! pixels.
+//! These proofs reach back to a segment with K > 0, or to a slope jump too large to count as rounding. For
+//! the part of the ray before that place, the cubics of its segments give an upper bound of g, or of −g if
+//! the ray leaves the solid at the root. If the bound is negative, g keeps its sign there; how far below zero
+//! the bound is decides for how many pixels.
 //!
-//! In the root's own segment K may be positive. There g is a cubic in s, and one of its factors is the
-//! distance p. The other factor, times −1 before a root that enters, is a quadratic B: it is A at the root,
-//! and it is positive where the ray comes into the segment, since g has its sign there. If B is concave, it
-//! is positive between; the sign of F‴·dz decides whether it is. If B is convex, with `c = |F‴/6|·|dz|³` for
-//! the coefficient of p², it is nowhere less than `(1 − p/P)·(A − c·p·P)`, where P is the distance to where
-//! the ray comes in, `h/|dz|` at most, and h the segment's height. So it is positive if `A > |F‴/6|·h²·|dz|`.
-//! Where A is less, [`Sweep::is_nearest_by_cubic`] decides, pixel by pixel.
+//! In the root's own segment K may be positive. There g is a cubic in p, with the factor p. So |g| = p·B,
+//! where B is a quadratic in p as long as g keeps its sign. B is |A| at the root, and it is positive where
+//! the ray comes into the segment, since g has the right sign there. If B is concave, it is positive between
+//! the two; the sign of F‴·dz decides whether it is concave. If B is convex, let `c = |F‴/6|·|dz|³` be its
+//! coefficient of p², and P the distance from the root to where the ray comes in. Then, since B is not
+//! negative at P, it is at least `(1 − p/P)·(|A| − c·p·P)` between. P is at most `h/|dz|`, with h the
+//! segment's height. So B is positive if `|A| > |F‴/6|·h²·|dz|`.
+//! Where |A| is less, [`Sweep::is_nearest_by_cubic`] decides, pixel by pixel.
 
 use super::skip::UpperBound;
 use super::sweep::{Certificate, RootStart, Sweep};
@@ -32,8 +35,8 @@ use crate::math::minmax::lesser;
 pub(super) enum Certification {
     /// The tracked root is the nearest, for this reason.
     Nearest(Certificate),
-    /// Another root may lie here: nearer than the tracked one, or, where the ray passes a rim, just behind
-    /// it.
+    /// Another root may lie here: nearer than the tracked one, or, where the ray passes just beside a rim,
+    /// shortly behind that rim.
     Another(RootStart),
     /// Neither is certain.
     Undecided,
@@ -60,8 +63,8 @@ struct Concave<'a> {
 }
 
 impl Sweep<'_> {
-    /// Decides whether the tracked root, if one lies in the segment where it is looked for, is the nearest on
-    /// the i-th ray, and for how many of the next rays.
+    /// Decides whether a root that is tracked in the segment `root.segment`, if the i-th ray has one there,
+    /// is the ray's nearest, and for how many of the next rays the answer holds.
     pub(super) fn certify(&self, i: u32) -> Certification {
         let (bounds, root) = (&self.bounds, &self.root);
         let (segment, enters) = (root.segment, root.sign > 0.0);
@@ -95,8 +98,8 @@ impl Sweep<'_> {
     }
 
     /// The segments, from the root's own back, through which g is concave along every ray of the row, but for
-    /// slope jumps. Together these raise g by less than a quarter of the tolerance: rounding takes another
-    /// quarter at most. `is_rising`: whether all rays of the row rise; if not, all of them fall.
+    /// slope jumps. Together these jumps raise g by less than a quarter of the tolerance; rounding changes g
+    /// by another quarter at most. `is_rising` is true if all rays of the row rise, false if all fall.
     #[inline(always)]
     fn concave(&self, is_rising: bool) -> Concave<'_> {
         let bounds = &self.bounds;
@@ -144,35 +147,36 @@ impl Sweep<'_> {
         if g < 2.0 * tolerance {
             return Before::Undecided;
         }
-        // `start.sign` is that of a crossing of `sign·g`; times `sign` it is that of g. If no start is known,
-        // g has the wrong sign already where the ray comes in, just past a rim: then another root may lie
-        // close behind that, in the root's own segment, where g crosses zero the other way than at the
-        // tracked root.
+        // `start.sign` says which way `sign·g` crosses zero; times `sign` it says which way g does. If no
+        // start is known, g has the wrong sign already where the ray comes into the root's segment, just past
+        // a rim. Then another root may lie shortly behind that point, in the same segment, where g crosses
+        // zero the other way than at the tracked root.
         let RootStart { index, s, sign: crosses } =
             start.unwrap_or(RootStart { index: root.index, s: far, sign: -1.0 });
         Before::MayMeet(RootStart { index, s, sign: sign * crosses })
     }
 
-    /// Whether g keeps its sign between the point where a ray comes into the tracked root's segment and the
-    /// root: true if that is certain. The certificate must hold for the ray, so that g has its sign at the
+    /// True if it is certain that g keeps its sign between the point where a ray comes into the tracked
+    /// root's segment and the root. The certificate must hold for the ray: then g has the right sign at that
     /// point.
     ///
-    /// `u` is the root's. `slope` is dg/ds at the point where Newton's last step began, `back` beyond the
-    /// root, along the ray, or, for a root that leaves, along the ray reversed. `q` is the ray's, and `dz`
-    /// its change of u per s.
+    /// `u` is that of the root, `q` that of the ray. As in [`Sweep::track`], the ray is reversed for a root
+    /// where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is dg/ds at the point where
+    /// Newton's last step began. That point is at the root's s plus `back`.
     ///
-    /// Let κ = |dz|, A the slope at the root, and w the distance in u from the root back along the ray. Then
+    /// Let A be the slope at the root, and w the distance in u from the root back towards the ray's origin.
+    /// Then, with g″ taken at the root,
     ///
-    /// `sign·κ²·g = −w·B(w)`, `B = A·κ − c₂·w + c₃·w²`, `c₂ = sign·g″/2`, `|c₃| = |f3|·κ²`.
+    /// `sign·κ²·g = −w·B(w)`, `B = A·|κ| − c₂·w + c₃·w²`, `c₂ = sign·g″/2`, `|c₃| = |f3|·κ²`.
     ///
     /// B is positive at the root and where the ray comes in. So it is positive between if c₃ ≤ 0; and if c₃ >
-    /// 0, where c₂ < 0 or the discriminant of B is negative. If the sign of c₃ is not known, it is
-    /// taken for positive.
+    /// 0, it is where c₂ < 0 or the discriminant of B is negative. The certificate's `bump` is zero if c₃ ≤ 0
+    /// is certain. If the rays of the row neither all rise nor all fall, c₃ is taken for positive.
     #[cold]
     #[inline(never)]
-    pub(super) fn is_nearest_by_cubic(&self, u: f32, slope: f32, back: f32, q: f32, dz: f32) -> bool {
+    pub(super) fn is_nearest_by_cubic(&self, u: f32, slope: f32, back: f32, q: f32, kappa: f32) -> bool {
         let [_, _, f2, f3] = self.root.segment.f;
-        let kappa = dz.abs();
+        let kappa = kappa.abs();
         let square = kappa * kappa;
         let curve = (3.0 * f3 * u + f2) * square - q;
         let (c2, slope) = (self.root.sign * curve, slope - 2.0 * curve * back);

@@ -29,9 +29,10 @@ pub(super) struct UpperBound {
     pub g: f32,
     /// The tolerance of the last segment in which `g` is not below zero.
     pub tolerance: f32,
-    /// About where sign·g crosses zero, in the first segment where it may come to within the tolerance of
-    /// zero and such a place is found. The start's own sign is 1 where sign·g rises through zero along the
-    /// ray, −1 where it falls. `None` if there is no such segment.
+    /// About where sign·g crosses zero, in the first segment where sign·g may come to within the tolerance of
+    /// zero. The start's own sign is 1 where sign·g rises through zero along the ray, −1 where it falls.
+    /// `None` if sign·g stays below zero by the tolerance in every segment. If `sign` is −1, a segment is
+    /// passed over if its crossing is found behind the end of the part.
     pub start: Option<RootStart>,
 }
 
@@ -72,9 +73,9 @@ impl Sweep<'_> {
         Ok((i + 1).saturating_add(self.certified_run(path, self.ray(i), sign, -bound.g, interval)))
     }
 
-    /// The interval of s, along a ray, whose heights include every height at which this ray can meet the
-    /// solid, or one of the next rays that a probe of it certifies. Empty, its end before its begin, if there
-    /// is no such height.
+    /// An interval of s along a ray. It contains the point of this ray at every height at which this ray, or
+    /// any of the next rays that a probe of this ray certifies, can meet the solid. If there is no such
+    /// height, it is empty: its end comes before its begin.
     pub(super) fn interval(&self, path: &LocalRay) -> (f32, f32) {
         let span = (1.0 + SPANS) * self.bounds.span;
         let (near, far) = path.slab(self.bounds.low, self.bounds.high);
@@ -123,7 +124,8 @@ impl Sweep<'_> {
     }
 
     /// The number of next pixels for whose rays sign·g is certain to stay below zero, at every height that
-    /// the given ray has in an interval of s. On the given ray sign·g is at most −`margin` there.
+    /// the given ray has in an interval of s. `path` is that ray, and `(m, d)` its M and D. On it sign·g is
+    /// below −`margin` by the tolerance there; `margin` is positive. Zero if no next pixel is certain.
     ///
     /// Take one height. The point P where a ray has that height moves, as the pixel's number grows, along the
     /// line in which the row's plane meets that height, and always the same way. At the point g is F, which
@@ -160,13 +162,14 @@ impl Sweep<'_> {
         // ε, the part of itself by which dz falls from pixel to pixel; negative if it grows. v is that of the
         // first pixel; as dz changes, a point moves in n pixels by `v·n/(1 − n·ε)`.
         let fall = -d1.z * per_dz;
-        // One over the number of pixels in which a point moves by SPANS, or dz falls by FALL.
+        // One over the number of pixels in which the point of a height moves by SPANS spans, or dz falls by
+        // FALL of itself.
         let level = greater(drift * per_dz.abs(), fall / FALL);
         // One over the number n with which the change comes to the margin: the larger root of
-        // `margin·r² − 2·pace·r − square`. NaN if there is no such root, zero or less if it is not positive:
-        // then no n does.
+        // `margin·r² − 2·pace·r − square`. If there is no such root, `rate` is NaN; then, as where `rate` is
+        // not positive, the change never comes to the margin.
         let rate = (pace + Native::sqrt(pace * pace + square * margin)) / margin;
-        // Of `level` and a NaN, `greater` returns `level`. The conversion to u32 saturates.
+        // `greater` returns `level` if the other number is NaN. The conversion to u32 saturates.
         (1.0 / greater(level, rate + fall)) as u32
     }
 }

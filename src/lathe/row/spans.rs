@@ -7,7 +7,8 @@ use crate::hit::{Hit, Part};
 
 impl Sweep<'_> {
     /// The span that begins with the i-th pixel; i must be less than [`Sweep::len`]. A tracked root is tried
-    /// first, then a cap, then pixels that miss; if each of these would have no pixel, it is a single ray.
+    /// first, then a cap, then pixels that miss. If the i-th pixel belongs to none of these, the span is
+    /// [`Span::Single`].
     ///
     /// The next i is the `to` of the span, or, of a tracked one, what [`Sweep::track`] returned, or, after a
     /// single ray, i + 1. This function begins to track roots, certifies them, and ends tracking.
@@ -42,8 +43,8 @@ impl Sweep<'_> {
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
-        // The left half begins with the last root that a probe of the right half found. Most often that is
-        // the one that the right half began with.
+        // The left half begins with the place that the last probe of the right half left in `start`, without a
+        // probe of its own. Most often that is where the right half began to track a root.
         let probe = match self.root.start {
             Some(start) if i == 0 => Probe::MayMeet(Some(start)),
             _ => self.probe(i),
@@ -60,8 +61,8 @@ impl Sweep<'_> {
 
     /// Continues where tracking ended before the i-th pixel: in the next segment, with a new certificate, or
     /// with another root that may be nearer. If none of these is possible, no root is tracked from here on,
-    /// and the i-th pixel is not to be probed, unless tracking ended because it diverged: a probe would find
-    /// the same root.
+    /// and the i-th pixel is not to be probed, since a probe would find the same root again. If tracking ended
+    /// because Newton's method diverged, no root is tracked either, but the i-th pixel may be probed.
     #[inline(never)]
     fn resume(&mut self, i: u32, end: TrackEnd) {
         let root = &mut self.root;
@@ -72,7 +73,7 @@ impl Sweep<'_> {
             TrackEnd::LeftDownwards => Some(root.index.wrapping_sub(1)),
             TrackEnd::Uncertified => None,
             TrackEnd::Diverged => {
-                // The root has moved: a probe of this pixel may find it at its new place.
+                // The root may have jumped: a probe of this pixel may find it at its new place.
                 root.is_tracked = false;
                 return;
             }

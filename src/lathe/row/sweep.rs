@@ -16,8 +16,8 @@ use crate::vector::F32x3;
 /// How many steps of Newton's method, or changes of segment, are tried for a pixel before it becomes a
 /// *single ray*.
 ///
-/// Each step squares the error, if that is measured in units of the slope over the curvature. From an error
-/// of 1/4, four steps come to (2⁻²)¹⁶ = 2⁻³², below f32's roundoff. A root that takes longer lies beside a
+/// Take as unit of the error of s the slope |dg/ds| divided by |g″/2|. Then each step at least squares the
+/// error. An error of 1/4 becomes (2⁻²)¹⁶ = 2⁻³² in four steps, below f32's roundoff. A root that takes longer lies beside a
 /// double root, in the *undecided band*.
 pub(super) const STEPS: u32 = 4;
 
@@ -34,7 +34,7 @@ pub(crate) enum Span {
     Single,
 }
 
-/// What converts a row's s to the t of a ray.
+/// What converts a row's s to the t of a ray: the shift of [`RowBounds`], and one over its unit.
 #[derive(Clone, Copy)]
 pub(crate) struct Scale {
     shift: f32,
@@ -59,8 +59,9 @@ pub(crate) struct Sweep<'a> {
 
 /// Which way pixels are counted: changed by [`Sweep::reverse`] alone.
 pub(super) struct Direction {
-    /// M and D, in the frame, x scaled by √k, counted from the left edge of the right half's first pixel:
-    /// pixel i is at i + ½.
+    /// M and D of the rays, in the frame. Ray 0 of these passes through the left edge of the right half's
+    /// first pixel, or, if pixels are counted to the left, through the right edge of the left half's first,
+    /// which is the same edge. So the ray of pixel i is ray i + ½.
     pub rays: RayRow,
     /// Whether pixels are counted to the left.
     pub is_reversed: bool,
@@ -70,6 +71,7 @@ pub(super) struct Direction {
 
 /// The root that is tracked, if one is, and what the search for one has come to.
 pub(super) struct TrackedRoot<'a> {
+    /// Whether a root is tracked.
     pub is_tracked: bool,
     /// 1 if the ray enters the solid at the root, −1 if it leaves it. A root where the ray leaves is tracked
     /// as one where the reversed ray enters: its s has the other sign there.
@@ -87,8 +89,8 @@ pub(super) struct TrackedRoot<'a> {
     pub certificate: Certificate,
     /// Why tracking ended, until [`Sweep::next`] has seen to it.
     pub end: Option<TrackEnd>,
-    /// One more than the number of times that the segment, the root or its certificate may still be changed
-    /// before the root must be found at a pixel.
+    /// One more than how often the segment, the root or its certificate may still be changed until Newton's
+    /// method has found the root of a pixel: with the change after that, tracking ends.
     pub tries: u32,
     /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
     /// there is none.
@@ -129,6 +131,7 @@ pub(super) struct Certificate {
 /// Where a root may be: where tracking may begin.
 #[derive(Clone, Copy)]
 pub(super) struct RootStart {
+    /// The index of the segment that the root would be in.
     pub index: usize,
     /// About where the root is along the ray.
     pub s: f32,
@@ -210,8 +213,9 @@ impl Sweep<'_> {
         self.bounds.depth_error()
     }
 
-    /// A normal, in object space, of the plane that reflects the right half of the row into the left one;
-    /// then only the right half is swept. `None` if there is no such plane.
+    /// A normal, in object space, of the plane in which the left half of the row is the mirror image of the
+    /// right half. `None` if the left half is not known to be a mirror image. Where it is, only the right half
+    /// is swept.
     pub fn mirror(&self) -> Option<F32x3> {
         self.bounds.is_mirrored.then_some(self.direction.rays.origin_step)
     }
@@ -230,8 +234,7 @@ impl Sweep<'_> {
         true
     }
 
-    /// The ray of the given M and D, with s for its t. Not inline: it is rarely called, and from three
-    /// functions.
+    /// The i-th ray, with s for its t. Not inline: it is rarely called.
     #[inline(never)]
     pub(super) fn path(&self, i: u32) -> LocalRay {
         let (m, d) = self.ray(i);

@@ -60,35 +60,35 @@ impl Sweep<'_> {
                 let f = p1 * u + c0;
                 let f1 = (c3u + p2) * u + p1;
                 let b = x * d.x + y * d.y;
-                let steep = f1 * d.z - (b + b);
-                let back = (f - (x * x + y * y)) / steep;
+                let slope = f1 * d.z - (b + b);
+                let back = (f - (x * x + y * y)) / slope;
                 s -= back;
-                // After a step the error is at most `back²·|g″/2|/steep`. If `steep` is NaN or negative the
+                // After a step the error is at most `back²·|g″/2|/slope`. If the slope is NaN or negative, the
                 // test fails.
-                if !(back * back <= step_tolerance * steep) {
+                if !(back * back <= step_tolerance * slope) {
                     cold_path();
                     tries -= 1;
-                    if tries == 0 || !(steep > 0.0) {
+                    if tries == 0 || !(slope > 0.0) {
                         end = TrackEnd::Diverged;
                         break 'pixels;
                     }
                     continue;
                 }
                 let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
-                // Compared by their bits, as integers, negative numbers and NaN are greater than all others.
+                // The bits of a negative number or a NaN, as an integer, are greater than those of `width`.
                 if (u - from).to_bits() > width {
                     end = if u > 0.5 { TrackEnd::LeftUpwards } else { TrackEnd::LeftDownwards };
                     break 'pixels;
                 }
-                if !(steep > certain || self.is_nearest_by_cubic(u, steep, back, dot_xy(d, d), d.z)) {
+                if !(slope > certain || self.is_nearest_by_cubic(u, slope, back, dot_xy(d, d), d.z)) {
                     end = TrackEnd::Uncertified;
                     break 'pixels;
                 }
                 see(&wall.seen(x, y, u), sign * s);
                 break;
             }
-            // The prediction is by second differences: the error of the last one is added to `bend`, the
-            // second.
+            // s is predicted from its first difference, `step`, and its second one, `bend`. The error of the
+            // prediction that was just corrected is added to `bend`.
             bend += s - predicted;
             step += bend;
             s += step + bend;

@@ -8,6 +8,7 @@ use crate::color::{Paint, most_shades};
 use crate::occlusion::PaintOrder;
 use crate::scene::Scene;
 use crate::shade::Finish;
+use crate::sheet::Sheet;
 use crate::solid::Solid;
 
 /// How many pixels are computed at once where the caller lends no memory: `Scene::draw` keeps them on its
@@ -101,22 +102,36 @@ impl Raster<'_> {
 
     /// Paints a solid, a body sheet by sheet, on the pixels of `run` that see it and that `depth` says show it.
     /// `run` begins in column x.
-    #[inline(never)]
+    #[inline(always)]
     fn solid<C: Paint, D: Depth>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depth: &mut D) {
         let mut number = 0;
         while let Some(sheet) = solid.sheet(number) {
-            let mut along = SolidRow::new(solid, (number, sheet), row, (x, x + run.len() as u32), D::COUNTS);
+            self.sheet(solid, (number, sheet), row, x, run, depth);
             number += 1;
-            if along.sweep.is_culled() {
-                continue;
-            }
-            depth.begin(&along);
-            let finish = Finish::new::<C>(solid, sheet.color().unwrap_or(solid.color()), &self.scene.light);
-            let mut canvas = Canvas::new(finish, &along, (x, row.y), run, depth);
+        }
+    }
+
+    /// Paints a sheet of a solid, of the given number. Not inline: in a loop it keeps more on the stack.
+    #[inline(never)]
+    fn sheet<C: Paint, D: Depth>(
+        &self,
+        solid: &Solid,
+        (number, sheet): (usize, &Sheet),
+        row: &Row,
+        x: u32,
+        run: &mut [C],
+        depth: &mut D,
+    ) {
+        let mut along = SolidRow::new(solid, (number, sheet), row, (x, x + run.len() as u32), D::COUNTS);
+        if along.sweep.is_culled() {
+            return;
+        }
+        depth.begin(&along);
+        let finish = Finish::new::<C>(solid, sheet.color().unwrap_or(solid.color()), &self.scene.light);
+        let mut canvas = Canvas::new(finish, &along, (x, row.y), run, depth);
+        canvas.half_row(&mut along);
+        if along.sweep.reverse() {
             canvas.half_row(&mut along);
-            if along.sweep.reverse() {
-                canvas.half_row(&mut along);
-            }
         }
     }
 }

@@ -59,9 +59,11 @@ impl<'a> SolidRow<'a> {
     pub fn cast(&mut self, i: u32, column: u32) -> Option<(Seen, f32)> {
         let SolidRays { solid, sheet, row, .. } = self.rays;
         let ray = solid.ray_into(&row.ray(column));
-        let hit = nearest(sheet, &ray)?;
-        self.sweep.found(i, &hit);
-        Some((seen(sheet, &ray, &hit), hit.t))
+        // By reference: a copy would stay on the stack.
+        let hit = &nearest(sheet, &ray);
+        let hit = hit.as_ref()?;
+        self.sweep.found(i, hit);
+        Some((seen(sheet, &ray, hit), hit.t))
     }
 }
 

@@ -14,8 +14,8 @@ const RAYS: u32 = 250;
 const SIDE: u32 = 4_000;
 
 /// Two hits are of one crossing if their t differ by less than this, times 1 + |t|. The fast path certifies a
-/// root only if g rises above the tolerance behind it. The tolerance is at least sixteen units of 2⁻²⁴, and its
-/// square root is 10⁻³.
+/// root only if g rises above the tolerance behind it. The tolerance is at least sixteen units of 2⁻²⁴, and
+/// its square root is 10⁻³.
 const SAME: f32 = 1e-3;
 
 /// Hits of a lathe of eight segments.
@@ -73,8 +73,8 @@ fn uneven_lathe(rng: &mut ChaCha8Rng) -> (Lathe<[Segment; 8]>, Vec<f32>, Vec<f32
     }
 }
 
-/// Rays of any length at joins and rims, from where they come and from where they meet the surface: the nearest hit is the
-/// first of all, and those follow one another. (At a rim, hit and miss are as good.)
+/// Rays of any length at joins and rims, from where they come and from where they meet the surface: the
+/// nearest hit is the first of all, and those follow one another. (At a rim, hit and miss are as good.)
 #[test]
 fn the_nearest_hit_is_the_first_of_all() {
     let mut rng = ChaCha8Rng::seed_from_u64(1995);
@@ -130,8 +130,8 @@ fn rays_leave_a_needle() {
     }
 }
 
-/// Rays that begin on the surface, at a join, a wall or a rim have as many hits as by the traversal alone, and
-/// the first of them is the nearest.
+/// Rays that begin on the surface, at a join, a wall or a rim have as many hits as by the traversal alone,
+/// and the first of them is the nearest.
 #[test]
 fn rays_from_the_surface() {
     let turned = |knots: &[f32], ordinates: &[f32], k: f32, base, top| {

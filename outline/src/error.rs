@@ -61,15 +61,13 @@ pub enum OutlineError {
         /// The error proven for the nearest.
         reached: f64,
     },
-    /// Two walls that come nearer to each other than their tolerances cross after all.
+    /// The fits of two walls cross, though the walls do not: they come nearer to each other than the tolerance.
     #[error(
-        "two walls come so near to each other at height {height} that their fits cross: ask for a tolerance below {distance}"
+        "two walls come so near to each other at height {height} that their fits cross: ask for a smaller tolerance"
     )]
     WallsMeet {
         /// At which height.
         height: f64,
-        /// How far apart the walls are there.
-        distance: f64,
     },
     /// More pieces than can be worked through in decent time.
     #[error("the outline has {0} pieces; {most} is the most", most = crate::MOST_PIECES)]

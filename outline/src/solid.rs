@@ -83,8 +83,8 @@ pub fn body(outline: &Outline, fit: &Fit) -> Result<Body, OutlineError> {
         error = error.max(assemble(runs, fit, &mut sheets, &mut warnings)?);
     }
     error += moved;
-    if let Some((at, distance)) = walls_meet(&sheets) {
-        return Err(OutlineError::WallsMeet { height: at, distance });
+    if let Some(height) = walls_meet(&sheets) {
+        return Err(OutlineError::WallsMeet { height });
     }
     Ok(Body { sheets, tolerance, error, warnings, shape })
 }
@@ -346,8 +346,8 @@ fn fit_section(section: &Section, fit: &Fit) -> Result<(Vec<Segment>, [bool; 2],
 /// How often a section is fitted more tightly because the proof missed the tolerance.
 const TRIES: i32 = 10;
 
-/// Whether fitted walls cross, at which height, and how near they must have been.
-fn walls_meet(sheets: &[Sheet]) -> Option<(f64, f64)> {
+/// The height at which fitted walls cross, if they do.
+fn walls_meet(sheets: &[Sheet]) -> Option<f64> {
     if sheets.len() < 2 {
         return None;
     }
@@ -362,6 +362,5 @@ fn walls_meet(sheets: &[Sheet]) -> Option<(f64, f64)> {
             Strand { at: Box::new(at), chords: 32 }
         })
         .collect();
-    let at = crossing::find(&strands)?;
-    Some((at.z, 0.0))
+    crossing::find(&strands).map(|at| at.z)
 }

@@ -4,7 +4,7 @@ mod random;
 
 use embedded_lathe::math::Native;
 use embedded_lathe::solve::Split;
-use embedded_lathe::{End, Hit, Lathe, Profile, Ray, Segment};
+use embedded_lathe::{End, Hit, Lathe, Part, Profile, Ray, Segment};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use random::{even, random_camera, random_lathe, upright_camera};
@@ -166,5 +166,27 @@ fn rays_from_the_surface() {
             (lathe.hits(&ray, 0.0), lathe.hits_by::<Split<Native>, 33>(&ray, 0.0));
         assert_eq!(hits.len(), traversed.len(), "{hits:?} are not {traversed:?}");
         assert_eq!(lathe.nearest(&ray, 0.0), hits.first().copied(), "{hits:?}");
+    }
+}
+
+/// A ledge a thousandth wide, on whose ring a ray comes down before it would meet the wall below: that one is not the first, however
+/// steeply g rises there.
+#[test]
+fn a_ledge_hides_the_wall_below() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1995);
+    let (wall, edge) = ([1.0; 4], [1.001; 4]);
+    let ordinates = [wall, edge, wall].concat();
+    let ledge = Profile::<3>::from_squared_radii(&[0.0, 1.0, 1.0, 1.0005, 1.0005, 2.0], &ordinates).unwrap();
+    let ledge = Lathe::turn(ledge);
+    for _ in 0..100_000 {
+        let target = [even(&mut rng, 1.0001, 1.0009).sqrt(), 0.0, 1.0005];
+        let direction = [even(&mut rng, -0.3, -0.02), 1.0, even(&mut rng, -0.9, -0.2)];
+        let ray = Ray::new(std::array::from_fn(|i| target[i] - 2.0 * direction[i]), direction).unwrap();
+        let hit = ledge.nearest(&ray, 0.0).expect("the ledge");
+        assert_eq!(
+            (hit.part, hit.segment, hit.u, hit.enters),
+            (Part::Ring, 1, 1.0, true),
+            "{hit:?} by {ray:?}"
+        );
     }
 }

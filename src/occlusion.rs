@@ -8,14 +8,16 @@ use crate::math::{UNIT_ROUNDOFF, const_fn};
 use crate::solid::Solid;
 use crate::vector::{F32x3, difference, dot, scale};
 
-/// The factor by which rounding is taken into account where distances are compared. With it a plane may
-/// separate two solids of which one stands on the other; but a plane is not taken if the eye lies in it, as
-/// it may in that of a cap. A dot product of three terms is off by three units of roundoff, the support
-/// function by four.
+/// A factor that takes rounding into account in the two comparisons which decide whether a plane separates
+/// two solids. The first, between the solids, it makes more lenient: the plane between a solid and another
+/// that stands on it is taken. The second, between the far solid and the eye, it makes stricter: a plane in
+/// which the eye lies, for example a cap's, is not taken. A dot product of three terms is off by three units
+/// of roundoff, the support function by four.
 const MARGIN: f32 = 1.0 + 8.0 * UNIT_ROUNDOFF;
 
-/// By how much `between·n`, the distance between two solids' centers along n times n's length, must exceed
-/// what both extend along n: this times the square of the sum of both radii. If n is shorter than 10⁻¹⁹, its
+/// For a plane with normal n to be taken, `between·n` must exceed the sum of both support functions by this
+/// times the square of the sum of both radii; `between` is the vector between the solids' centers. If n is
+/// shorter than 10⁻¹⁹, its
 /// square underflows, and with it the support functions; but then `between·n` is at most 10⁻¹⁹ times the
 /// distance between the centers, so that such an n is never taken for a separating one.
 const LEAST: f32 = 1e-12;
@@ -85,8 +87,8 @@ impl PaintOrder {
         if rank < SORTED { (self.indices >> (4 * rank)) as usize & 7 } else { rank }
     }
 
-    /// Whether a plane is found between the solids of two ranks, so that the one of rank `far` hides nothing
-    /// of the other.
+    /// Whether a plane is found between the solids of two ranks, with the eye on the side of the one ranked
+    /// `near`: then the one ranked `far` hides nothing of it. False if the slice has no such solid.
     #[inline(never)]
     const fn is_parted(&self, solids: &[Solid], camera: &Camera, far: usize, near: usize) -> bool {
         let (far, near) = (self.index(far), self.index(near));

@@ -48,7 +48,7 @@ pub struct Picture<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// The scene as a picture of `width` columns and `height` rows, of any number, zero included.
+    /// The scene as a picture of `width` columns and `height` rows. Both may be zero: then it has no pixels.
     #[must_use]
     #[inline]
     pub const fn picture(&self, width: u32, height: u32) -> Picture<'a> {

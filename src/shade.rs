@@ -1,5 +1,5 @@
-//! What color a visible point of a solid has: Lambert's diffuse share of its color, and half of Phong's
-//! highlight.
+//! What color a visible point of a solid has: its color in ambient light and, by Lambert's law, in direct
+//! light, plus Phong's highlight with a coefficient of ½.
 
 use crate::color::{Paint, Rgb, Shades, Share, most_shades};
 use crate::lathe::Seen;
@@ -8,7 +8,7 @@ use crate::math::rsqrt;
 use crate::solid::Solid;
 use crate::vector::{F32x3, Vector};
 
-/// A solid's material in the scene's light: what of the color is the same for every pixel.
+/// A solid's material in the scene's light: the quantities of its color that are the same for every pixel.
 pub(crate) struct Finish {
     /// The exponent of the highlight, or zero if the solid is matt.
     shininess: u8,
@@ -22,7 +22,8 @@ pub(crate) struct Finish {
 }
 
 impl Finish {
-    /// The material of a solid in a light, for a display of colors C; the color is the solid's, or a sheet's own.
+    /// The material of a solid in a light, for a display of colors C; the color is the solid's, or a sheet's
+    /// own.
     #[inline(always)]
     pub fn new<C: Paint>(solid: &Solid, color: Rgb, light: &Light) -> Self {
         let color = color.shades(most_shades::<C>());
@@ -38,8 +39,8 @@ impl Finish {
     /// The color of a visible point. `column` is that of the ray that sees it; only the highlight depends on
     /// it. `to_light` is [`Finish::to_light`], or the mirror image of that where a pixel is the mirror image
     /// of another.
-    // Not `inline(always)`: built for size, the function should stand in flash once. That the compiler
-    // inlines it when it builds for speed shows in the record of instructions.
+    // Not `inline(always)`: in a build for size, flash should contain the function only once. In a build for
+    // speed the compiler inlines it, or the counts in docs/instructions.csv would be higher.
     #[inline]
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &F32x3, views: &Views) -> Shades {
         // Where the surface faces away from the light the cosine is negative: `Share::new` makes it zero.

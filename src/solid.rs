@@ -42,9 +42,10 @@ impl<'a> Solid<'a> {
 
     /// A matt body bounded by several sheets about one axis, in the pose [`Pose::IDENTITY`].
     ///
-    /// A closed outline that goes up and comes down again, or turns back in height, is cut where it turns. A sheet whose
-    /// material is inside of it is an outer one, a sheet whose material is outside an inner one. Where two of them meet in a
-    /// rim, the flat ring between them, if there is one, belongs to either: as a step at its end.
+    /// A closed outline that goes up and comes down again, or turns back in height, is cut where it turns. A
+    /// sheet whose material is inside of it is an outer one, a sheet whose material is outside an inner one.
+    /// Where two of them meet in a rim, the flat ring between them, if there is one, belongs to either: as a
+    /// step at its end.
     ///
     /// ```
     /// use embedded_lathe::*;
@@ -71,18 +72,21 @@ impl<'a> Solid<'a> {
     ///
     /// # Inside
     ///
-    /// A point is inside the body if more outer sheets than inner ones hold it; a sheet holds what is between its ends and
-    /// within its wall. A closed outline makes that one or none. Crossings are those of the sheets, and [`Hit::enters`] says
-    /// whether the ray enters the material. Of sheets that leave gaps, or overlap, all crossings are reported all the same.
+    /// A point is inside the body if more outer sheets than inner ones hold it; a sheet holds what is between
+    /// its ends and within its wall. A closed outline makes that one or none. Crossings are those of the
+    /// sheets, and [`Hit::enters`] says whether the ray enters the material. Of sheets that leave gaps, or
+    /// overlap, all crossings are reported all the same.
     ///
-    /// No ray slips between two sheets that meet at a height, with a squared radius that is the same number in both profiles.
-    /// For that they are prepared about one height, the first by [`Lathe::turn`], the others by [`Lathe::turn_beside`] the first,
-    /// and all of them are traversed: a hit that the fast path finds may be one that grazes a rim, and by the traversal passes it.
+    /// No ray slips between two sheets that meet at a height, with a squared radius that is the same number
+    /// in both profiles. For that they are prepared about one height, the first by [`Lathe::turn`], the
+    /// others by [`Lathe::turn_beside`] the first, and all of them are traversed: a hit that the fast path
+    /// finds may be one that grazes a rim, and by the traversal passes it.
     ///
     /// # Errors
     ///
-    /// [`SceneError::NoSheets`] if there is none, [`SceneError::SheetMiddle`] if one is not prepared about the height that the
-    /// first one is, and [`SceneError::SheetSquash`] if one is not squashed as the first one is.
+    /// [`SceneError::NoSheets`] if there is none, [`SceneError::SheetMiddle`] if one is not prepared about
+    /// the height that the first one is, and [`SceneError::SheetSquash`] if one is not squashed as the first
+    /// one is.
     pub const fn body(sheets: &'a [Sheet<'a>], color: Rgb) -> Result<Self, SceneError> {
         let [first, rest @ ..] = sheets else {
             return Err(SceneError::NoSheets);
@@ -160,8 +164,8 @@ impl<'a> Solid<'a> {
         self.shininess
     }
 
-    /// The nearest crossing of a ray of the world beyond `t_min`, as [`Lathe::nearest`]. Of a body, segments are counted from
-    /// sheet to sheet: those of the second one go on where the first one's end.
+    /// The nearest crossing of a ray of the world beyond `t_min`, as [`Lathe::nearest`]. Of a body, segments
+    /// are counted from sheet to sheet: those of the second one go on where the first one's end.
     #[must_use]
     pub fn nearest(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         let ray = &self.ray_into(ray);
@@ -186,8 +190,8 @@ impl<'a> Solid<'a> {
         self.nearest(ray, t_min).is_some()
     }
 
-    /// The crossings of a ray of the world beyond `t_min`, in order, as [`Lathe::hits`]: the C nearest ones, if there are more.
-    /// A sheet of n segments is crossed 4·n + 1 times at most.
+    /// The crossings of a ray of the world beyond `t_min`, in order, as [`Lathe::hits`]: the C nearest ones,
+    /// if there are more. A sheet of n segments is crossed 4·n + 1 times at most.
     #[must_use]
     pub fn hits<const C: usize>(&self, ray: &Ray, t_min: f32) -> Vec<Hit, C> {
         let ray = &self.ray_into(ray);
@@ -204,7 +208,8 @@ impl<'a> Solid<'a> {
         hits
     }
 
-    /// Whether a point of the world is inside the solid: if its sheet holds it, or more outer sheets of a body than inner ones.
+    /// Whether a point of the world is inside the solid: if its sheet holds it, or more outer sheets of a
+    /// body than inner ones.
     #[must_use]
     pub fn is_inside(&self, point: [f32; 3]) -> bool {
         let point = array(self.pose.point_into(vector(point)));
@@ -228,7 +233,8 @@ impl<'a> Solid<'a> {
         (sheet, Hit { segment, ..*hit })
     }
 
-    /// The point and the normal of a hit, in the world, as [`Lathe::surface`]: the normal points out of the material.
+    /// The point and the normal of a hit, in the world, as [`Lathe::surface`]: the normal points out of the
+    /// material.
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let (sheet, hit) = self.located(hit);
@@ -239,16 +245,17 @@ impl<'a> Solid<'a> {
 
     /// A ray of the world that goes on from a hit of this solid, as [`Lathe::spawn`]. The offset is
     /// `16·2⁻²⁴·(4·R + distance + |origin| + |point|)`, all measured in the world. R is the radius of the
-    /// smallest ball around the solid, and `|origin|` and `|point|` are the sums of the coordinates of the
-    /// ray's origin and of the hit. `distance` is the same sum for the vector from the pose's position to the
-    /// ray's origin, plus the distance of the position from the middle of the solid's axis.
+    /// smallest ball around the solid, and `|origin|` and `|point|` are the sums |x| + |y| + |z| of the
+    /// coordinates of the ray's origin and of the hit. `distance` is the same sum for the vector from the
+    /// pose's position to the ray's origin, plus the distance of the position from the middle of the solid's
+    /// axis.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Pose, Profile, Ray, Rgb, Rotation, Segment, Solid, valid};
     ///
-    /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0))); let at = |x|
-    /// Pose::new([x, 0.0, 0.0], Rotation::IDENTITY, 1.0).map(|pose| Solid::new(&BALL,
-    /// Rgb::WHITE).posed(pose)); let solids = [at(0.0)?, at(3.0)?];
+    /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
+    /// let ball = Solid::new(&BALL, Rgb::WHITE);
+    /// let solids = [ball, ball.posed(Pose::new([3.0, 0.0, 0.0], Rotation::IDENTITY, 1.0)?)];
     ///
     /// let ray = Ray::new([0.9, -4.0, 0.0], [0.0, 1.0, 0.0])?;
     /// let hit = solids[0].nearest(&ray, 0.0).unwrap();

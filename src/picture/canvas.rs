@@ -14,8 +14,8 @@ use crate::vector::{F32x3, Vector};
 pub(super) struct Canvas<'a, C, D> {
     finish: Finish,
     /// The mirror image of the direction to the light, if the left half of the row sees the mirror image of
-    /// what the right half sees. A pixel of the left half then has the color that its mirror image in the
-    /// right half would have in the mirrored light. `None` if each half is swept by itself.
+    /// what the right half sees. Then a pixel of the left half gets the color that the pixel opposite, in the
+    /// right half, would have in the mirrored light. `None` if each half is swept by itself.
     mirrored: Option<F32x3>,
     /// The column that `run` begins with, and the row.
     x: u32,
@@ -41,8 +41,8 @@ impl<'a, C: Paint, D: Depth> Canvas<'a, C, D> {
         Self { finish, mirrored, x, y, run, depth }
     }
 
-    /// Paints the half of the row that the sweep is at, from the middle outwards, and its mirror image, if
-    /// there is one, with it.
+    /// Paints the half of the row that is being swept, from the middle outwards. If the other half is its
+    /// mirror image, this paints it as well.
     #[inline(never)]
     pub fn half_row(&mut self, along: &mut SolidRow) {
         let mut i = 0;
@@ -56,10 +56,11 @@ impl<'a, C: Paint, D: Depth> Canvas<'a, C, D> {
         }
     }
 
-    /// Paints the pixels from the i-th up to another that see the tracked root. Returns the first that does
-    /// not, `to` at most.
+    /// Paints the pixels from the i-th on, to before `to`, as long as they see the tracked root, and their
+    /// mirror images. Returns the first that does not see it, `to` at most.
     ///
-    /// Not inline: it keeps registers on the stack, which are not needed while single rays are cast.
+    /// This function is not inlined: it saves many registers on the stack, and while single rays are cast
+    /// that memory is to be free.
     #[inline(never)]
     fn tracked(&mut self, along: &mut SolidRow, i: u32, to: u32) -> u32 {
         let Self { x, y, ref finish, mirrored, ref mut run, ref mut depth } = *self;
@@ -90,8 +91,8 @@ impl<'a, C: Paint, D: Depth> Canvas<'a, C, D> {
         })
     }
 
-    /// Paints the pixels from the i-th up to `to`, and their mirror images, which all see the upper cap (`up`
-    /// is 1) or the lower one (−1). Returns `to`.
+    /// Paints the pixels from the i-th to before `to`, and their mirror images, which all see the upper cap
+    /// (`up` is 1) or the lower one (−1). Returns `to`.
     #[inline(never)]
     fn cap(&mut self, along: &SolidRow, i: u32, to: u32, up: f32) -> u32 {
         let seen = &Seen::cap(up);
@@ -122,7 +123,8 @@ impl<'a, C: Paint, D: Depth> Canvas<'a, C, D> {
         }
     }
 
-    /// Paints what a column's ray sees at a distance.
+    /// Paints the pixel of a column, whose ray sees the solid at `distance`, unless what was painted before
+    /// hides the solid there. The light is that of the scene, for pixels of either half.
     #[inline(never)]
     fn put(&mut self, along: &SolidRow, column: u32, seen: &Seen, distance: Distance) {
         let Self { x, y, ref finish, ref mut run, ref mut depth, .. } = *self;

@@ -1,5 +1,5 @@
-//! Which of several solids, or of a body's sheets, a pixel shows if no plane separates them: the nearest, by the
-//! distances that their sweeps find.
+//! Which of several solids, or of a body's sheets, a pixel shows if no plane separates them: the nearest, by
+//! the distances that their sweeps find.
 
 use super::solid_row::{SolidRays, SolidRow};
 use crate::math::cold_path;
@@ -18,10 +18,10 @@ pub(super) enum Distance {
 
 /// What decides whether a pixel shows the solid that is being painted, or what was painted before.
 pub(super) trait Depth {
-    /// Whether distances are used. If not, any number may be given.
+    /// Whether distances are used. If not, [`Depth::shows`] ignores its `distance`.
     const COUNTS: bool;
 
-    /// Begins with the next solid.
+    /// To be called before the pixels of each solid: takes note of how exact the distances of its sweep are.
     fn begin(&mut self, along: &SolidRow);
 
     /// Whether a pixel shows the solid, of which its ray sees a point at `distance`. `at` is the pixel's
@@ -91,8 +91,8 @@ impl Depths<'_> {
     /// those that single rays find. If they are equal, the pixel shows what was painted before, which is the
     /// first in the slice.
     ///
-    /// Afterwards the pixel's distance is one that single rays have found. So for another solid that comes as
-    /// near, those before it are not cast again.
+    /// Afterwards the pixel's distance is one that single rays have found. So if another solid comes as near
+    /// at this pixel, no rays are cast again at the solids before it.
     #[cold]
     #[inline(never)]
     fn compare(&mut self, rays: &SolidRays, at: usize, column: u32, distance: Distance) -> bool {

@@ -19,8 +19,9 @@ use crate::solid::Solid;
 /// widths, 240 and 320, and is a multiple of 8, the period of the dithering.
 pub(crate) const RUN: usize = 40;
 
-/// For how many pixels at most distances are kept in memory at once. These are a whole row of the usual
-/// displays: if the two halves of a row are mirror images, only one is swept.
+/// For how many pixels at most distances are kept in memory at once. This many is a whole row of the usual
+/// displays, so that a row is not cut in pieces: if the two halves of a row are mirror images, only one is
+/// swept.
 const MOST_DEPTHS: usize = 240;
 
 /// A scene, the size of its picture in pixels, and the order in which its solids are painted.
@@ -51,7 +52,8 @@ impl Raster<'_> {
         let mut rank = 0;
         while let Some(solid) = self.scene.solids.get(self.order.index(rank)) {
             if rank == self.order.block {
-                // A short part gets the smaller memory: a scene that is drawn run by run has little stack.
+                // For a short part fewer distances are kept: a scene that is drawn run by run may have little
+                // stack.
                 let paint =
                     if part.len() > RUN { Self::block::<C, MOST_DEPTHS> } else { Self::block::<C, RUN> };
                 paint(self, &row, x, part);
@@ -100,8 +102,8 @@ impl Raster<'_> {
         }
     }
 
-    /// Paints a solid, a body sheet by sheet, on the pixels of `run` that see it and that `depth` says show it.
-    /// `run` begins in column x.
+    /// Paints a solid, a body sheet by sheet, on the pixels of `run` that see it and that `depth` says show
+    /// it. `run` begins in column x.
     #[inline(always)]
     fn solid<C: Paint, D: Depth>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depth: &mut D) {
         let mut number = 0;

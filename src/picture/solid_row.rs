@@ -29,8 +29,8 @@ pub(super) struct SolidRays<'a> {
 }
 
 impl<'a> SolidRow<'a> {
-    /// Sets up the sweep of a solid's sheet, of the given number, along the columns of a row from `start` to before
-    /// `end`. `has_depth` is whether distances are compared with those of other sheets and solids.
+    /// Sets up the sweep of a solid's sheet, of the given number, along the columns of a row from `start` to
+    /// before `end`. `has_depth` is whether distances are compared with those of other sheets and solids.
     #[inline(never)]
     pub fn new(
         solid: &'a Solid<'a>,
@@ -94,14 +94,14 @@ impl SolidRays<'_> {
 }
 
 /// The first hit of a sheet by a ray in its solid's own space, or `None`. It is found as [`Solid::nearest`]
-/// finds it, so that where the sweep is undecided both agree.
+/// finds it: where the sweep is undecided, a picture shows what that function says.
 #[inline(never)]
 fn nearest(sheet: &Sheet, ray: &Ray) -> Option<Hit> {
     sheet.lathe().nearest_by::<Newton>(ray, 0.0)
 }
 
-/// What a ray in a solid's own space sees where it hits a sheet: the normal on the ray's side, whichever side the
-/// material is on.
+/// What a ray in a solid's own space sees where it hits a sheet: the normal on the ray's side, whichever side
+/// the material is on.
 #[inline(never)]
 fn seen(sheet: &Sheet, ray: &Ray, hit: &Hit) -> Seen {
     let side = if hit.enters { 1.0 } else { -1.0 };

@@ -179,10 +179,10 @@ impl<'a> RowBounds<'a> {
         let (low, high) = (greater(frame.low, height - spread), lesser(frame.high, height + spread));
         let is_culled = is_outside_ball || is_usable && low > high;
         let is_mirrored = !is_culled && is_usable && {
-            // Two pixels at the same distance from the middle on either side must agree, to half of what rounding
-            // can do: in g at the same s; in the height, which counts at the solid's ends; and in how near the
-            // plane between them passes the axis. In g rounding is 2 + S times the slip, S the slope; the
-            // disagreement grows with S by `half·4·drift`, which must be no faster.
+            // Two pixels at the same distance from the middle on either side must agree, to half of what
+            // rounding can do: in g at the same s; in the height, which counts at the solid's ends; and in
+            // how near the plane between them passes the axis. In g rounding is 2 + S times the slip, S the
+            // slope; the disagreement grows with S by `half·4·drift`, which must be no faster.
             let asymmetry = 2.0 * asymmetry(rays, span, drift);
             frame.squash == 1.0
                 && (part.end - part.start).is_multiple_of(2)
@@ -251,8 +251,8 @@ impl RowBounds<'_> {
     }
 
     /// A bound of the difference, in t, between the distance of a tracked root or of a cap and the distance
-    /// that a single ray finds there. It holds where the slope of g at the root is at least `L·(1 + S/2)`: L is
-    /// [`RowBounds::least_slope`], and S is the largest |dF/dz| of the segment.
+    /// that a single ray finds there. It holds where the slope of g at the root is at least `L·(1 + S/2)`: L
+    /// is [`RowBounds::least_slope`], and S is the largest |dF/dz| of the segment.
     ///
     /// The distance of a root is off by the error of g, from rounding and a run's additions, divided by the
     /// slope, and by what the last step of Newton's method leaves. Both count twice, for the single ray has

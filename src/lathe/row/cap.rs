@@ -31,8 +31,8 @@ impl Sweep<'_> {
     }
 
     /// The first pixel, from the i-th on, whose ray does not clearly pass through a cap, or the number of
-    /// pixels if there is none. `square` is the square of the cap's radius. The cap is that of the lower end if the
-    /// rays rise, of the upper end if they fall.
+    /// pixels if there is none. `square` is the square of the cap's radius. The cap is that of the lower end
+    /// if the rays rise, of the upper end if they fall.
     #[inline(never)]
     fn cap_until(&self, mut i: u32, square: f32, is_rising: bool) -> u32 {
         let frame = self.bounds.lathe.frame;

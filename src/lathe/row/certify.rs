@@ -2,15 +2,15 @@
 //!
 //! Where the ray enters the solid at the root, the slope of g there most often proves it. Let A = dg/ds be
 //! that slope, and let J be |dz| times the sum of the *slope jumps* at the knots that the ray may have passed
-//! before. Between knots `g″ ≤ 2K`, with `K = convexity·dz² − q` of the segment. Then, at a distance p before the
-//! root,
+//! before. Between knots `g″ ≤ 2K`, with `K = convexity·dz² − q` of the segment. Then, at a distance p before
+//! the root,
 //!
 //! `g ≤ −(A − J)·p + K·p²`,
 //!
 //! which is negative if `K ≤ 0 < A − J`. So one comparison a pixel certifies the root, as far back along the
 //! ray as all segments have K ≤ 0. Where the ray leaves the solid at the root, g is concave through the same
-//! segments but for slope jumps, which take less than a quarter of the tolerance from it. So g is positive in these
-//! segments if it is positive where the ray comes into the first of them.
+//! segments but for slope jumps, which take less than a quarter of the tolerance from it. So g is positive in
+//! these segments if it is positive where the ray comes into the first of them.
 //!
 //! These proofs reach back to a segment with K > 0, or to a slope jump too large to count as rounding. For
 //! the part of the ray before that place, the cubics of its segments give an upper bound of g, or of −g if
@@ -161,8 +161,8 @@ impl Sweep<'_> {
     /// point.
     ///
     /// `u` is that of the root, `q` that of the ray. As in [`Sweep::track`], the ray is reversed for a root
-    /// where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is dg/ds at the point where
-    /// Newton's last step began. That point is at the root's s plus `back`.
+    /// where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is dg/ds at the point
+    /// where Newton's last step began. That point is at the root's s plus `back`.
     ///
     /// Let A be the slope at the root, and w the distance in u from the root back towards the ray's origin.
     /// Then, with g″ taken at the root,

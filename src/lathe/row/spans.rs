@@ -43,8 +43,8 @@ impl Sweep<'_> {
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
-        // The left half begins with the place that the last probe of the right half left in `start`, without a
-        // probe of its own. Most often that is where the right half began to track a root.
+        // The left half begins with the place that the last probe of the right half left in `start`, without
+        // a probe of its own. Most often that is where the right half began to track a root.
         let probe = match self.root.start {
             Some(start) if i == 0 => Probe::MayMeet(Some(start)),
             _ => self.probe(i),
@@ -61,8 +61,8 @@ impl Sweep<'_> {
 
     /// Continues where tracking ended before the i-th pixel: in the next segment, with a new certificate, or
     /// with another root that may be nearer. If none of these is possible, no root is tracked from here on,
-    /// and the i-th pixel is not to be probed, since a probe would find the same root again. If tracking ended
-    /// because Newton's method diverged, no root is tracked either, but the i-th pixel may be probed.
+    /// and the i-th pixel is not to be probed, since a probe would find the same root again. If tracking
+    /// ended because Newton's method diverged, no root is tracked either, but the i-th pixel may be probed.
     #[inline(never)]
     fn resume(&mut self, i: u32, end: TrackEnd) {
         let root = &mut self.root;

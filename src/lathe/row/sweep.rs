@@ -17,8 +17,8 @@ use crate::vector::F32x3;
 /// *single ray*.
 ///
 /// Take as unit of the error of s the slope |dg/ds| divided by |g″/2|. Then each step at least squares the
-/// error. An error of 1/4 becomes (2⁻²)¹⁶ = 2⁻³² in four steps, below f32's roundoff. A root that takes longer lies beside a
-/// double root, in the *undecided band*.
+/// error. An error of 1/4 becomes (2⁻²)¹⁶ = 2⁻³² in four steps, below f32's roundoff. A root that takes
+/// longer lies beside a double root, in the *undecided band*.
 pub(super) const STEPS: u32 = 4;
 
 /// Neighbouring pixels that are alike. The i-th pixel is the first of each; `to` is the one after the last.
@@ -214,8 +214,8 @@ impl Sweep<'_> {
     }
 
     /// A normal, in object space, of the plane in which the left half of the row is the mirror image of the
-    /// right half. `None` if the left half is not known to be a mirror image. Where it is, only the right half
-    /// is swept.
+    /// right half. `None` if the left half is not known to be a mirror image. Where it is, only the right
+    /// half is swept.
     pub fn mirror(&self) -> Option<F32x3> {
         self.bounds.is_mirrored.then_some(self.direction.rays.origin_step)
     }

@@ -63,8 +63,8 @@ impl Sweep<'_> {
                 let slope = f1 * d.z - (b + b);
                 let back = (f - (x * x + y * y)) / slope;
                 s -= back;
-                // After a step the error is at most `back²·|g″/2|/slope`. If the slope is NaN or negative, the
-                // test fails.
+                // After a step the error is at most `back²·|g″/2|/slope`. If the slope is NaN or negative,
+                // the test fails.
                 if !(back * back <= step_tolerance * slope) {
                     cold_path();
                     tries -= 1;

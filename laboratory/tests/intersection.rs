@@ -5,7 +5,7 @@
 use embedded_lathe::solve::Solver;
 use embedded_lathe::{Hit, Lathe, Part, Ray, Segment, Surface};
 use laboratory::cases::{Case, Family, cases, outlines, stepped_outlines};
-use laboratory::lathes::{CAPACITY, lathe};
+use laboratory::lathes::{CAPACITY, is_in, lathe};
 use laboratory::oracle::{self, Band, Shape};
 use laboratory::{PROMISE, ROUNDOFF, over_every_backend};
 use std::marker::PhantomData;
@@ -38,21 +38,6 @@ struct Shot<'a> {
     shape: &'a Shape,
     lathe: &'a Lathe<[Segment; 16]>,
     ray: Ray,
-}
-
-impl Shot<'_> {
-    fn agrees(&self, hit: &Hit, band: &Band) -> bool {
-        hit.enters == band.enters && hit.part == part(band.part) && band.holds(hit.t)
-    }
-}
-
-fn part(part: oracle::Part) -> Part {
-    match part {
-        oracle::Part::Wall => Part::Wall,
-        oracle::Part::Base => Part::Base,
-        oracle::Part::Top => Part::Top,
-        oracle::Part::Ring => Part::Ring,
-    }
 }
 
 fn every_shot(mut check: impl FnMut(&Shot)) {
@@ -143,7 +128,7 @@ fn agrees_with_the_oracle<Q: Questions>() {
         let bands = oracle::bands(shot.shape, &shot.case.ray(), shot.case.eps(CLEARANCE));
         match bands.sure.first() {
             Some(band) => {
-                let right = nearest.is_some_and(|hit| shot.agrees(&hit, band));
+                let right = nearest.is_some_and(|hit| is_in(&hit, band));
                 assert!(right, "{nearest:?} is not {band:?}\n{}", shot.case);
             }
             None => assert!(nearest.is_none() || !bands.complete, "{nearest:?} is none\n{}", shot.case),
@@ -154,7 +139,7 @@ fn agrees_with_the_oracle<Q: Questions>() {
         for band in &bands.sure {
             let within = rest.iter().take_while(|hit| band.holds(hit.t)).count();
             let (here, beyond) = rest.split_at(within);
-            assert!(within % 2 == 1 && shot.agrees(&here[0], band), "{hits:?} miss {band:?}\n{}", shot.case);
+            assert!(within % 2 == 1 && is_in(&here[0], band), "{hits:?} miss {band:?}\n{}", shot.case);
             if let [hit] = here {
                 worst = worst.max(point_error(shot, hit, band));
             }

@@ -12,8 +12,8 @@ use embedded_lathe::math::Native;
 use embedded_lathe::solve::Split;
 use embedded_lathe::{Hit, Part, Ray};
 use laboratory::cases::{Case, Cast, Family, Outline, cases};
-use laboratory::lathes::lathe;
-use laboratory::oracle::{self, Band, Shape, value};
+use laboratory::lathes::{is_in, lathe};
+use laboratory::oracle::{self, Shape, value};
 use laboratory::outlines::Kind;
 use laboratory::{PROMISE, ROUNDOFF};
 use rand::rngs::ChaCha8Rng;
@@ -21,19 +21,6 @@ use rand::{RngExt, SeedableRng};
 use std::env;
 
 const SEED: u64 = 1995;
-
-fn part(part: oracle::Part) -> Part {
-    match part {
-        oracle::Part::Wall => Part::Wall,
-        oracle::Part::Base => Part::Base,
-        oracle::Part::Top => Part::Top,
-        oracle::Part::Ring => Part::Ring,
-    }
-}
-
-fn is_in(hit: &Hit, band: &Band) -> bool {
-    hit.enters == band.enters && hit.part == part(band.part) && band.holds(hit.t)
-}
 
 /// The least displacement, in units and to a quarter of itself, that excuses the answer: one below which all that the ray must
 /// meet is not what it is said to meet.

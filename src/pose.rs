@@ -1,8 +1,11 @@
 //! Where a solid stands, how it is turned, and how large it is.
 
-use crate::math::const_fn::sin_cos;
+mod rotation;
+
+pub use rotation::Rotation;
+
 use crate::scene_error::SceneError;
-use crate::vector::{F32x3, array, dot, finite, scale, unit, vector};
+use crate::vector::{F32x3, array, difference, finite, scale, sum, vector};
 
 /// A position, a rotation and a uniform scale: `world = position + scale·(rotation · object)`.
 ///
@@ -71,6 +74,70 @@ impl Pose {
         self.scale
     }
 
+    /// The pose that turns about a point of the world, the pivot, which stays where it is.
+    ///
+    /// ```
+    /// use embedded_lathe::{Pose, Rotation, valid};
+    ///
+    /// // A lid, and the same opened by 0.6 about its hinge.
+    /// const LID: Pose = valid!(Pose::new([0.0, 0.0, 0.5], Rotation::IDENTITY, 0.8));
+    /// const OPEN: Pose = valid!(LID.then(valid!(Pose::about([0.0, 0.5, 0.5], Rotation::about_x(-0.6))))?);
+    /// let [_, _, z] = OPEN.position();
+    /// assert!((z - (0.5 + 0.5 * 0.6_f32.sin())).abs() < 1e-6);
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Pose::new`], for the position where the origin is turned to and for the rotation.
+    pub const fn about(pivot: [f32; 3], rotation: Rotation) -> Result<Self, SceneError> {
+        // The culprit is named: not the position, which either of the two makes NaN.
+        if let Err(error) = Self::new(pivot, rotation, 1.0) {
+            return Err(error);
+        }
+        Self::new(array(difference(vector(pivot), rotation.turn(vector(pivot)))), rotation, 1.0)
+    }
+
+    /// The pose that does this one first, and then another. If `next` is the pose of a whole, and this one
+    /// that of a part in the whole's own space, the result is the part's pose in the world.
+    ///
+    /// ```
+    /// use embedded_lathe::{Pose, Rotation, valid};
+    ///
+    /// const POINTER: Pose = valid!(Pose::new([0.0, 0.3, 0.4], Rotation::IDENTITY, 1.0));
+    /// let knob = Pose::new([2.0, 0.0, 0.0], Rotation::about_z(1.0), 0.5)?;
+    /// let pointer = POINTER.then(knob)?;
+    /// assert_eq!(pointer.apply([0.0; 3]), knob.apply([0.0, 0.3, 0.4]));
+    /// # Ok::<(), embedded_lathe::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Pose::new`], for the position and the scale of the result.
+    pub const fn then(self, next: Self) -> Result<Self, SceneError> {
+        Self::new(next.apply(self.position()), self.rotation.then(next.rotation), self.scale * next.scale)
+    }
+
+    /// The pose that leads back: this one, then its inverse, is the identity, except for rounding.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Pose::new`], for the position and the scale of the result: if the position divided by the
+    /// scale is beyond f32's range.
+    pub const fn inverse(self) -> Result<Self, SceneError> {
+        let back = scale(self.rotation.back(self.position), -1.0);
+        let per_scale = 1.0 / self.scale;
+        // The limits of the scale are each other's inverse, except for rounding.
+        let within = if per_scale > 1e30 { 1e30 } else { per_scale };
+        Self::new(array(scale(back, per_scale)), self.rotation.inverse(), within)
+    }
+
+    /// The point of the world where the solid has a point of its own space. A coordinate beyond f32's range
+    /// is infinite.
+    #[must_use]
+    pub const fn apply(&self, point: [f32; 3]) -> [f32; 3] {
+        array(sum(self.position, scale(self.rotation.turn(vector(point)), self.scale)))
+    }
+
     /// Converts a point of the world to the solid's own space.
     #[inline]
     pub(crate) fn point_into(&self, world: F32x3) -> F32x3 {
@@ -90,150 +157,6 @@ impl defmt::Format for Pose {
             p.z,
             self.rotation,
             self.scale
-        );
-    }
-}
-
-/// A right-handed rotation about the origin, by an angle in radians.
-///
-/// The angle may be from −10 000 to 10 000. There the spacing of f32 numbers is already 0.001, so that a
-/// larger angle would be too inexact. For an angle outside the limits, or NaN, [`Rotation::about`] returns an
-/// error. `about_x`, `about_y` and `about_z` return no `Result`: from such an angle they make a matrix that
-/// contains NaN, for which [`Pose::new`] returns [`SceneError::Rotation`].
-///
-/// All constructors are `const`, and compute the same bits at compile time and at run time.
-///
-/// ```
-/// use embedded_lathe::Rotation;
-///
-/// const TILT: Rotation = Rotation::about_x(0.5).then(Rotation::about_z(1.0));
-/// let up = TILT.apply([0.0, 0.0, 1.0]);
-/// assert!((up[2] - 0.5f32.cos()).abs() < 1e-6);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rotation {
-    /// The matrix by rows.
-    rows: [F32x3; 3],
-}
-
-impl Default for Rotation {
-    /// [`Rotation::IDENTITY`].
-    fn default() -> Self {
-        Self::IDENTITY
-    }
-}
-
-impl Rotation {
-    /// No rotation.
-    pub const IDENTITY: Self =
-        Self { rows: [vector([1.0, 0.0, 0.0]), vector([0.0, 1.0, 0.0]), vector([0.0, 0.0, 1.0])] };
-
-    /// About the x axis: y turns towards z.
-    #[must_use]
-    pub const fn about_x(angle: f32) -> Self {
-        let (s, c) = sin_cos(angle);
-        Self { rows: [vector([1.0, 0.0, 0.0]), vector([0.0, c, -s]), vector([0.0, s, c])] }
-    }
-
-    /// About the y axis: z turns towards x.
-    #[must_use]
-    pub const fn about_y(angle: f32) -> Self {
-        let (s, c) = sin_cos(angle);
-        Self { rows: [vector([c, 0.0, s]), vector([0.0, 1.0, 0.0]), vector([-s, 0.0, c])] }
-    }
-
-    /// About the z axis: x turns towards y.
-    #[must_use]
-    pub const fn about_z(angle: f32) -> Self {
-        let (s, c) = sin_cos(angle);
-        Self { rows: [vector([c, -s, 0.0]), vector([s, c, 0.0]), vector([0.0, 0.0, 1.0])] }
-    }
-
-    /// About any axis, which need not be a unit vector.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::RotationAxis`] if the axis is zero or not finite, [`SceneError::RotationAngle`] if the
-    /// angle is outside −10 000 to 10 000 or NaN.
-    pub const fn about(axis: [f32; 3], angle: f32) -> Result<Self, SceneError> {
-        let (s, c) = sin_cos(angle);
-        if !s.is_finite() {
-            return Err(SceneError::RotationAngle { angle });
-        }
-        let Some(F32x3 { x, y, z }) = unit(vector(axis)) else {
-            return Err(SceneError::RotationAxis { axis });
-        };
-        let v = 1.0 - c;
-        Ok(Self {
-            rows: [
-                vector([c + x * x * v, x * y * v - z * s, x * z * v + y * s]),
-                vector([y * x * v + z * s, c + y * y * v, y * z * v - x * s]),
-                vector([z * x * v - y * s, z * y * v + x * s, c + z * z * v]),
-            ],
-        })
-    }
-
-    /// The rotation that does this one first, and then another.
-    #[must_use]
-    pub const fn then(self, next: Self) -> Self {
-        let [a, b, c] = self.rows;
-        let columns = [vector([a.x, b.x, c.x]), vector([a.y, b.y, c.y]), vector([a.z, b.z, c.z])];
-        let [p, q, r] = next.rows;
-        Self { rows: [times(p, columns), times(q, columns), times(r, columns)] }
-    }
-
-    /// Turns a vector.
-    #[must_use]
-    pub const fn apply(&self, v: [f32; 3]) -> [f32; 3] {
-        array(self.turn(vector(v)))
-    }
-
-    /// Does what [`Rotation::apply`] does.
-    pub(crate) const fn turn(&self, v: F32x3) -> F32x3 {
-        times(v, self.rows)
-    }
-
-    /// The z axis, turned by this rotation.
-    pub(crate) const fn axis(&self) -> F32x3 {
-        let [a, b, c] = self.rows;
-        vector([a.z, b.z, c.z])
-    }
-
-    /// Turns a vector back, by the inverse of this rotation.
-    pub(crate) const fn back(&self, v: F32x3) -> F32x3 {
-        let [a, b, c] = self.rows;
-        let (a, b, c) = (scale(a, v.x), scale(b, v.y), scale(c, v.z));
-        vector([a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z])
-    }
-
-    /// Whether no element of the matrix is infinite or NaN.
-    const fn is_finite(&self) -> bool {
-        let [a, b, c] = self.rows;
-        finite(a) && finite(b) && finite(c)
-    }
-}
-
-/// The dot products of a vector with each of three others.
-const fn times(v: F32x3, [a, b, c]: [F32x3; 3]) -> F32x3 {
-    vector([dot(v, a), dot(v, b), dot(v, c)])
-}
-
-#[cfg(feature = "defmt")]
-impl defmt::Format for Rotation {
-    fn format(&self, f: defmt::Formatter) {
-        let [a, b, c] = self.rows;
-        defmt::write!(
-            f,
-            "[[{}, {}, {}], [{}, {}, {}], [{}, {}, {}]]",
-            a.x,
-            a.y,
-            a.z,
-            b.x,
-            b.y,
-            b.z,
-            c.x,
-            c.y,
-            c.z
         );
     }
 }

@@ -29,6 +29,28 @@ pub enum SceneError {
         /// The angle given, in radians.
         angle: f32,
     },
+    /// A rotation's quaternion is zero, or a number of it infinite or NaN.
+    RotationQuaternion {
+        /// The real part given.
+        w: f32,
+        /// The imaginary parts given.
+        v: [f32; 3],
+    },
+    /// A matrix is not nearly that of a rotation: two of its rows are not nearly perpendicular, or a row is
+    /// not nearly as long as 1.
+    RotationRows {
+        /// One of the two rows, from 0.
+        row: usize,
+        /// The other, or the same if its length is wrong.
+        other: usize,
+        /// The scalar product of the two: it should be 0, or 1 for a row with itself.
+        product: f32,
+    },
+    /// A matrix mirrors what it turns.
+    RotationMirrors {
+        /// Its determinant, which should be 1.
+        determinant: f32,
+    },
     /// A pose's rotation was made from an angle outside −10 000 to 10 000 radians, or from NaN.
     Rotation,
     /// A solid's scale is not between 10⁻³⁰ and 10³⁰.
@@ -104,6 +126,24 @@ impl SceneError {
             Self::RotationAngle { angle } => Message::of([
                 Text("the rotation's angle must be from -10000 to 10000, and is "),
                 Number(angle),
+            ]),
+            Self::RotationQuaternion { w, v } => Message::of([
+                Text("the rotation's quaternion must be finite and not zero, and is "),
+                Number(w),
+                Text(" + "),
+                Vector(v),
+            ]),
+            Self::RotationRows { row, other, product } => Message::of([
+                Text("the rotation's rows "),
+                Count(row),
+                Text(" and "),
+                Count(other),
+                Text(" must have a product within 0.1 of that of unit vectors at right angles, and have "),
+                Number(product),
+            ]),
+            Self::RotationMirrors { determinant } => Message::of([
+                Text("the rotation's matrix must not mirror, and has the determinant "),
+                Number(determinant),
             ]),
             Self::Rotation => {
                 Message::of([Text("the rotation is by an angle that is not from -10000 to 10000")])

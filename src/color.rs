@@ -101,15 +101,16 @@ impl Shades {
     /// One shade, in the units of [`Shades::units`].
     pub const ONE: u32 = 1 << 23;
 
-    /// The nearest whole shade of red, green and blue.
+    /// The nearest whole shade of red, green and blue, of the shades that [`Paint::shade`] receives.
     #[must_use]
     #[inline]
     pub const fn nearest(self) -> [u8; 3] {
         [nearest(self.r), nearest(self.g), nearest(self.b)]
     }
 
-    /// Red, green and blue in units of 1/[`Shades::ONE`] of a shade, not rounded to whole shades: the numbers
-    /// that a display of few shades dithers.
+    /// Red, green and blue in units of 1/[`Shades::ONE`] of a shade, not rounded to whole shades, for a
+    /// display of few shades to dither. It subtracts the rounding bias that the shades given to
+    /// [`Paint::shade`] carry.
     #[must_use]
     #[inline]
     pub const fn units(self) -> [u32; 3] {
@@ -117,7 +118,8 @@ impl Shades {
         [self.r.saturating_sub(HALF), self.g.saturating_sub(HALF), self.b.saturating_sub(HALF)]
     }
 
-    /// Converts numbers of shades to fixed point; each channel must be below 256.
+    /// Converts numbers of shades to fixed point, rounded down; each channel must be below 256. A negative
+    /// number and NaN give 0.
     pub(crate) const fn of(shades: Rgb) -> Self {
         const ONE: f32 = Shades::ONE as f32;
         Self { r: (shades.r * ONE) as u32, g: (shades.g * ONE) as u32, b: (shades.b * ONE) as u32 }

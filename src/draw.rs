@@ -92,7 +92,8 @@ impl<'a> Scene<'a> {
         if row.is_empty() { self.draw(display) } else { self.draw_through(display, row) }
     }
 
-    /// Draws the scene over the whole display, and computes as many pixels at once as fit into `run`.
+    /// Draws the scene over the whole display, and computes as many pixels at once as fit into `run`, up to a
+    /// whole row. `run` must not be empty.
     fn draw_through<D>(&self, display: &mut D, run: &mut [D::Color]) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: Paint>,
@@ -109,7 +110,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Memory for the pixels that are computed at once.
+/// Memory for the [`RUN`] pixels that are computed at once, filled with black.
 fn blank<C: Paint>() -> [C; RUN] {
     [C::paint(Rgb::BLACK, 0, 0); RUN]
 }

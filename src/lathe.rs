@@ -174,8 +174,9 @@ impl<S: ?Sized> Lathe<S> {
         [middle + low / scale, middle + high / scale]
     }
 
-    /// The largest radius along y, at a knot or between knots, with a relative error of at most 10⁻⁶. Along x
-    /// a squashed solid extends to 1/√k times as much.
+    /// The largest radius along y, of the wall and of the steps at its ends, with a relative error of at most
+    /// 1.6·10⁻⁶: that of [`Profile::largest_radius`], and two roundings. Along x a squashed solid extends to
+    /// 1/√k times as much.
     #[must_use]
     pub const fn largest_radius(&self) -> f32 {
         const_fn::sqrt(self.frame.bounding_square / widened(1.0)) / self.frame.scale

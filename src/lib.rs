@@ -51,7 +51,7 @@
 //! | [`Lathe`] | a profile | segments with bounds, in flash; [`Ray`] → [`Hit`], one by one or along a row |
 //! | [`Cubic`], [`Bernstein`], [`solve`] | a cubic, an interval | the first root, or all of them |
 //! | [`Surface`] | a hit | its point and normal, for what is seen |
-//! | [`Solid`], [`Pose`], [`Light`], [`Camera`], [`Background`] | | what a [`Scene`] is made of |
+//! | [`Solid`], [`Sheet`], [`Pose`], [`Light`], [`Camera`], [`Background`] | | what a [`Scene`] is made of |
 //! | [`Picture`] | a scene, a size | rows of pixels, one at a time |
 //! | [`Scene::draw`], [`PictureImage`] | a scene | a `DrawTarget` of embedded-graphics |
 //!
@@ -91,6 +91,8 @@
 //! | word | what it means |
 //! |---|---|
 //! | *lathe* | a solid of revolution made ready to meet rays: a profile's segments with their bounds |
+//! | *body* | a solid bounded by several sheets |
+//! | *sheet* | one of the lathes that bound a body, with the material inside or outside of it |
 //! | *segment* | the part of a profile between two knots, where the squared radius is one cubic |
 //! | *frame* | a lathe's own coordinates: origin half way up the axis, scaled by a power of two so that the largest squared radius is in [1, 4), x scaled by √k |
 //! | *slab* | the space between the planes of a segment's two knots |

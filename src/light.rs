@@ -8,8 +8,9 @@ use crate::vector::{F32x3, array, unit, vector};
 ///
 /// A surface shows the share `ambient + (1 − ambient)·max(0, n·l)` of its color (Lambert's law), where n is
 /// its unit normal and l the unit vector towards the light. Where the light falls on a shiny surface, a
-/// highlight of white is added: its share is half of Phong's `max(0, r·v)ˢ`, whatever the ambient share,
-/// where r is l mirrored by the surface, v the unit vector towards the eye, and s the shininess.
+/// highlight of white is added: its share is half of Phong's `max(0, r·v)ˢ`, where r is l
+/// mirrored by the surface, v the unit vector towards the eye, and s the shininess. It does not depend on the
+/// ambient share.
 ///
 /// ```
 /// use embedded_lathe::{Light, valid};

@@ -154,7 +154,7 @@ impl Text {
 
 /// Implements `Display`, `Error`, `PartialEq`, `Eq` and `Hash` for an error type that has a method `const fn
 /// message(self) -> Message`: all of them use the message alone.
-macro_rules! says {
+macro_rules! impl_error {
     ($error:ty) => {
         impl $error {
             /// Stops the compilation with the message. Called by [`valid!`](crate::valid).
@@ -190,7 +190,7 @@ macro_rules! says {
     };
 }
 
-pub(crate) use says;
+pub(crate) use impl_error;
 
 #[cfg(test)]
 mod tests {

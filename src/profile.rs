@@ -23,7 +23,7 @@ pub(crate) struct ProfilePiece {
     pub top: f32,
     /// The Bernstein ordinates of the squared radius.
     pub b: [f32; 4],
-    /// The largest squared radius in the piece.
+    /// The largest squared radius in the piece, or a little more: see [`Extremes::largest`].
     pub largest: f32,
     /// The u at which the squared radius is least.
     pub narrowest: f32,
@@ -55,8 +55,8 @@ pub enum End {
 ///  z₂├──────●             z = zᵢ + (zᵢ₊₁ − zᵢ)·u              0 ≤ u ≤ 1
 ///    │     b₅ ●
 ///    │       b₄ ●         knots      z₀ < z₁ < … < zₙ         n + 1 heights
-///  z₁├─────────────●      ordinates  b₀, b₁, … b₃ₙ            3·n + 1 squared radii,
-///    │         b₂ ●  b₃                                       the joins' shared
+///  z₁├─────────────●      ordinates  b₀, b₁, … b₃ₙ            3·n + 1 squared radii: neighbours
+///    │         b₂ ●  b₃                                       share the one at their join
 ///    │       b₁ ●
 ///  z₀├────●
 ///    │  b₀
@@ -66,11 +66,11 @@ pub enum End {
 /// # Steps
 ///
 /// A knot given twice is a step: at its height the outline jumps from one squared radius to another, which
-/// makes a flat ring of the solid. The step has two ordinates, first the squared radius just below it, then
-/// the one just above:
+/// makes a flat ring. The step has two ordinates, first the squared radius just below it, then the one just
+/// above:
 ///
 /// ```text
-///  z │    b₇                  knots      z₀ < z₁ = z₂ < z₃     the step's stands twice
+///  z │    b₇                  knots      z₀ < z₁ = z₂ < z₃     the step's height is given twice
 ///  z₃├────●                   ordinates  b₀ … b₃               the segment below,
 ///    │    ● b₆                           b₄ … b₇               and that above
 ///    │    ● b₅      b₃
@@ -136,28 +136,30 @@ pub struct Profile<const N: usize> {
     /// The factor k on x².
     pub(crate) squash: f32,
     /// The squared radii just below the lower end and just above the upper end. Each is that of the wall if
-    /// the end is open, and zero if it is capped.
+    /// the end is open, zero if it is capped, and the outer one of a step there.
     pub(crate) below: f32,
     pub(crate) above: f32,
 }
 
-/// The largest ratio of a profile's height to its largest radius, and of its largest radius to a segment's
-/// height. The cube of the ratio, 10³⁰, and the inverse of the cube are normal numbers.
+/// The limit of two ratios: that of a profile's height to the largest radius of its wall, and that of the
+/// largest radius, flanges included, to the height of a segment. The cube of the limit, 10³⁰, and the inverse
+/// of the cube are normal numbers.
 const MOST_RATIO: f32 = 1e10;
 
 impl<const N: usize> Profile<N> {
-    /// A round profile of n segments and s steps; n is from 1 to N. An end is open, unless there is a step at
-    /// it.
+    /// A round profile of n segments and s steps, where n is from 1 to N. An end is open, unless there is a
+    /// step at it.
     ///
-    /// The knots are n + s + 1 increasing heights, that of a step given twice. The ordinates are 3·n + s + 1
-    /// squared radii, the Bézier control values of the segments one after another, where neighbours share the
-    /// one at their join, unless a step parts them. The ordinate of a radius of 0.3 is 0.09.
+    /// `knots` holds n + s + 1 heights from the lowest up, among them the height of each step twice.
+    /// `ordinates` holds 3·n + s + 1 squared radii, the Bézier control values of the segments from the lowest
+    /// up. Two neighbouring segments share the ordinate at their join; if there is a step between them, each
+    /// has its own. A radius of 0.3 has the ordinate 0.09.
     ///
-    /// It costs about 100 operations a segment; in a `const` it is the compiler that computes them.
+    /// It takes about 100 operations for each segment. In a `const` the compiler computes them.
     ///
     /// # Errors
     ///
-    /// [`ProfileError`], which names the knot, the ordinate or the segment at fault. A squared radius may
+    /// [`ProfileError`], which names the knot, the ordinate or the segment at fault. The squared radius may
     /// touch zero. Between the ends of a segment it may be negative by as much as rounding errors can make a
     /// zero: 8·2⁻²⁴ of the segment's largest ordinate.
     pub const fn from_squared_radii(knots: &[f32], ordinates: &[f32]) -> Result<Self, ProfileError> {
@@ -180,7 +182,8 @@ impl<const N: usize> Profile<N> {
             }
             point += 1;
         }
-        // An open end goes on as wide as it is.
+        // The first and the last ordinate are the squared radii beyond the ends. Where there is no step at an
+        // end, that ordinate is also the wall's, and so the end is open.
         let (below, above, last) = (ordinates[0], ordinates[expected - 1], knots.len() - 1);
         if !(below >= 0.0) {
             return Err(ProfileError::Negative { segment: 0, height: knots[0], square: below });
@@ -212,13 +215,13 @@ impl<const N: usize> Profile<N> {
         Self::of(pieces, len, below, above)
     }
 
-    /// A profile whose segments are the first `len` of `pieces`, each on top of the one before, with the
-    /// squared radii beyond its ends.
+    /// A round profile whose segments are the first `len` of `pieces`, each on top of the one before; `below`
+    /// and `above` are the squared radii beyond its ends.
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] if the profile is too large, too small or too high, or if one of its segments is too
-    /// low.
+    /// [`ProfileError::Size`] if the profile is too large or too small, [`ProfileError::Height`] if it is too
+    /// high, [`ProfileError::KnotsNotIncreasing`] if one of its segments is too low.
     const fn of(pieces: [ProfilePiece; N], len: usize, below: f32, above: f32) -> Result<Self, ProfileError> {
         let profile = Self { pieces, len, squash: 1.0, below, above };
         let wall = Self { below: 0.0, above: 0.0, ..profile }.largest();
@@ -240,7 +243,8 @@ impl<const N: usize> Profile<N> {
         let (mut i, mut knot, mut before) = (0, 0, below);
         while i < len && i < N {
             let ProfilePiece { z, top, b: [b0, .., b3], .. } = pieces[i];
-            // One knot more, or two where a step stands at the lower one.
+            // Becomes the number of the segment's upper knot: one more than that of the segment before, or
+            // two more if there is a step between them.
             knot += if before == b0 { 1 } else { 2 };
             before = b3;
             if !((top - z) * MOST_RATIO >= radius) {
@@ -252,7 +256,8 @@ impl<const N: usize> Profile<N> {
     }
 
     /// This profile stretched along x: `k·x² + y²` takes the place of `x² + y²`. With k = 1 it is round,
-    /// between 0 and 1 elliptic with the half-axis r/√k along x, with k = 0 a sheet that is endless along x.
+    /// between 0 and 1 elliptic with the half-axis r/√k along x; with k = 0 it is the outline
+    /// extruded along x, without ends. An earlier squash of this profile is replaced.
     ///
     /// # Errors
     ///
@@ -264,7 +269,8 @@ impl<const N: usize> Profile<N> {
         Ok(Self { squash: k, ..self })
     }
 
-    /// This profile with another lower end, which also replaces a ring there.
+    /// This profile with another lower end. If there is a step at that end, the new end replaces it: the ring
+    /// or flange is no longer there.
     ///
     /// Like all methods of this kind it does not change the profile, but returns a new one, which must be
     /// used:
@@ -282,13 +288,13 @@ impl<const N: usize> Profile<N> {
         Self { below: base.beyond(self.ends()[0]), ..self }
     }
 
-    /// This profile with another upper end.
+    /// This profile with another upper end, which replaces a step there, too.
     #[must_use]
     pub const fn top(self, top: End) -> Self {
         Self { above: top.beyond(self.ends()[1]), ..self }
     }
 
-    /// This profile with a flat cap at both ends.
+    /// This profile with a flat cap at both ends, in place of what is there.
     #[must_use]
     pub const fn closed(self) -> Self {
         self.base(End::Capped).top(End::Capped)
@@ -323,14 +329,19 @@ impl<const N: usize> Profile<N> {
         ends
     }
 
-    /// The largest radius, at a knot or between knots, up to a relative 6·10⁻⁷ too large. Along x a squashed
-    /// profile extends farther, to this radius divided by √k.
+    /// The largest radius of the wall and of the steps at its ends: too large by a relative 1.5·10⁻⁶ at most,
+    /// too small by 2⁻²⁴ at most. Along x a squashed profile extends farther, to this radius divided by √k.
     #[must_use]
     pub const fn largest_radius(&self) -> f32 {
+        // The square is too large by twice `extremes::VALUE_ERROR` at most: the bound is added to a value
+        // that may be off by it. It is relative to the segment's largest ordinate, which is at most 3 times
+        // the largest value: of the cubics from −1 to 1 Chebyshev's has the largest ordinates, −1, 5, −5, 1
+        // (Lyche and Scherer 2000), so that those of a cubic from 0 to 1 are at most (1 + 5)/2. That makes
+        // 2·8·3 = 48 units of 2⁻²⁴, half as many for the radius, and one more for the rounding of the root.
         const_fn::sqrt(self.largest())
     }
 
-    /// The largest squared radius.
+    /// The largest squared radius of the wall and of the steps at its ends, or a little more.
     pub(crate) const fn largest(&self) -> f32 {
         let (mut largest, mut i) = (self.below.max(self.above), 0);
         while i < self.len && i < N {
@@ -342,7 +353,8 @@ impl<const N: usize> Profile<N> {
 }
 
 impl End {
-    /// The squared radius beyond an end, given the wall's at that end.
+    /// The squared radius beyond an end of this kind: `wall`, the wall's at that end, if it is open, zero if
+    /// it is capped.
     const fn beyond(self, wall: f32) -> f32 {
         match self {
             Self::Open => wall,
@@ -352,10 +364,10 @@ impl End {
 }
 
 impl ProfilePiece {
-    /// What stands in the array behind the last piece.
+    /// Fills the places of the array after the profile's last piece.
     pub const EMPTY: Self = Self { z: 0.0, top: 0.0, b: [0.0; 4], largest: 0.0, narrowest: 0.0 };
 
-    /// Segment number i, from the height z to `top`.
+    /// Segment number i, from the height z to `top`, with the ordinates b; i serves only the error.
     ///
     /// # Errors
     ///

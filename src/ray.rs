@@ -2,7 +2,7 @@
 
 use crate::math::minmax::{greater, lesser};
 use crate::message::Piece::{Text, Vector};
-use crate::message::{Message, says};
+use crate::message::{Message, impl_error};
 use crate::vector::{F32x3, array, finite, saturated, scale, to_one, vector};
 
 /// The points `origin + t·direction`. The direction need not be a unit vector: t is measured in lengths of
@@ -155,4 +155,4 @@ impl RayError {
     }
 }
 
-says!(RayError);
+impl_error!(RayError);

@@ -78,9 +78,9 @@ pub struct Scene<'a> {
     /// The solids, in any order. Where two of them are at the same distance, the first in the slice is seen;
     /// at a point where two only touch, either may be seen.
     ///
-    /// If the renderer finds a plane that separates two solids, each costs what it costs alone. If it finds
-    /// none, their distances are compared pixel by pixel: each costs a little more than alone, and the picture
-    /// takes 4 bytes of stack for each pixel of a row, 960 at most.
+    /// If the renderer finds a plane that separates two solids, the two cost as much as each of them alone,
+    /// added up. If it finds none, it compares their distances pixel by pixel: then each costs a little more
+    /// than alone, and the picture takes 4 bytes of stack for each pixel of a row, 960 at most.
     pub solids: &'a [Solid<'a>],
     /// The camera that sees them.
     pub camera: Camera,

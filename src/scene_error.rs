@@ -1,5 +1,5 @@
 use crate::message::Piece::{Count, Number, Text, Vector};
-use crate::message::{Message, says};
+use crate::message::{Message, impl_error};
 
 /// Why numbers do not make a part of a scene, and which numbers they are.
 ///
@@ -90,7 +90,7 @@ pub enum SceneError {
     /// A sheet of a body is prepared about another height than the first sheet: see
     /// [`Lathe::turn_beside`](crate::Lathe::turn_beside).
     SheetMiddle {
-        /// Which sheet, from 1.
+        /// Which sheet, from 0.
         sheet: usize,
         /// The height that it is prepared about.
         middle: f32,
@@ -99,7 +99,7 @@ pub enum SceneError {
     },
     /// A sheet of a body has another squash than the first sheet.
     SheetSquash {
-        /// Which sheet, from 1.
+        /// Which sheet, from 0.
         sheet: usize,
         /// Its squash.
         squash: f32,
@@ -114,7 +114,7 @@ pub enum SceneError {
 }
 
 impl SceneError {
-    /// The words of the error.
+    /// The error in words.
     const fn message(self) -> Message {
         match self {
             Self::Position { position } => {
@@ -197,4 +197,4 @@ impl SceneError {
     }
 }
 
-says!(SceneError);
+impl_error!(SceneError);

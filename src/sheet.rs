@@ -1,4 +1,4 @@
-//! A part of a body's surface: a lathe, and the side of it that the material is on.
+//! A part of a *body*'s surface, a *sheet*: a lathe, and the side of it that the material is on.
 
 use crate::color::Rgb;
 use crate::hit::Hit;
@@ -6,8 +6,8 @@ use crate::lathe::Lathe;
 
 /// One of the sheets that bound a body: a turned profile with the material inside of it, or outside.
 ///
-/// A profile has one radius at each height, so a wall with thickness has two sheets, and so has whatever turns back in height:
-/// see [`Solid::body`](crate::Solid::body).
+/// A profile has one radius at each height. So a wall with thickness needs two sheets, and so does an outline
+/// that passes a height twice: see [`Solid::body`](crate::Solid::body).
 ///
 /// ```
 /// use embedded_lathe::*;
@@ -59,7 +59,8 @@ impl<'a> Sheet<'a> {
         self.color
     }
 
-    /// A hit of its lathe as a hit of the body: whether the ray enters the material.
+    /// Converts a hit of this sheet's lathe to a hit of the body: `enters` becomes whether the ray enters the
+    /// material, so on an inner sheet it is reversed.
     #[inline(always)]
     pub(crate) fn hit(&self, hit: Hit) -> Hit {
         Hit { enters: hit.enters != self.is_inner, ..hit }

@@ -64,11 +64,12 @@ fn radii_stay_between_those_of_the_points() {
 #[test]
 fn points_of_quadrics_give_quadrics() {
     type Quadric = fn(f32) -> f32;
-    let cases: [(&str, Quadric, &[f32]); 4] = [
+    let cases: [(&str, Quadric, &[f32]); 5] = [
         ("sphere", |z| (2.0 * z - z * z).sqrt(), &[0.0, 0.5, 1.0, 1.7, 2.0]),
         ("cone", |z| 0.2 + 0.5 * z, &[0.0, 0.3, 1.0, 1.1]),
         ("paraboloid", |z| z.sqrt(), &[0.0, 0.4, 1.0]),
         ("cylinder", |_| 0.3, &[0.0, 0.4, 1.0]),
+        ("hyperboloid", |z| (0.1 + (z - 0.7) * (z - 0.7)).sqrt(), &[0.0, 0.3, 0.7, 1.5]),
     ];
     for (name, quadric, heights) in cases {
         let points: Points = heights.iter().map(|z| (*z, quadric(*z))).collect();

@@ -1,11 +1,11 @@
 use super::Text;
 
-/// Writes a number as core does for debugging: the fewest digits that only it is read from, with an exponent
-/// from 10¹⁶ on and below 10⁻⁴.
+/// Appends x as `{x:?}` prints it: the fewest decimal digits from which x is parsed, with an exponent if |x|
+/// is 10¹⁶ or more or below 10⁻⁴; `NaN`; `inf` or `-inf`.
 ///
-/// In f64, which only the compiler computes with. A decimal of p digits is the number's own if it is read
-/// back as it: its f64, off by at most 50 roundings or 10⁻¹⁴, is then the f32 itself when rounded, unless the
-/// decimal lies as near to the middle between two f32 as that.
+/// The numbers are computed in f64, at compile time only. Whether x is parsed from a decimal is decided by
+/// rounding the decimal's f64 value to f32. That value is off by at most 50 roundings, a relative 10⁻¹⁴. So
+/// the decision is wrong only for a decimal that lies within 10⁻¹⁴ of the middle between two f32 numbers.
 pub(super) const fn push(text: &mut Text, x: f32) {
     if x.is_nan() {
         return text.push_all("NaN");
@@ -28,7 +28,8 @@ pub(super) const fn push(text: &mut Text, x: f32) {
     }
 }
 
-/// The number as `d.ddd·10^exponent`, its digits together an integer that does not end in 0.
+/// The fewest digits from which x is parsed, as an integer that does not end in 0, and the decimal exponent
+/// of the first of them: (125, −1) for 0.125. x is positive and finite.
 const fn shortest(x: f32) -> (u64, i32) {
     let mut exponent = -45;
     while times_ten_to(1.0, exponent + 1) <= x as f64 {
@@ -38,26 +39,28 @@ const fn shortest(x: f32) -> (u64, i32) {
     loop {
         let scaled = times_ten_to(x as f64, count - 1 - exponent);
         let nearest = (scaled + 0.5) as u64;
-        // Below a power of two numbers lie closer: the nearest decimal may be another's, and the next one up
-        // this one's.
+        // If x is a power of two, the f32 numbers below it lie closer together than those above. So another
+        // number may be parsed from the nearest decimal, if that is below x, and x still from the next one
+        // up.
         let next = if nearest as f64 > scaled { nearest - 1 } else { nearest + 1 };
-        if is_of(x, nearest, exponent - count + 1) || count == 9 {
+        if is_parsed_from(x, nearest, exponent - count + 1) || count == 9 {
             return without_zeros(nearest, count, exponent);
         }
-        if is_of(x, next, exponent - count + 1) {
+        if is_parsed_from(x, next, exponent - count + 1) {
             return without_zeros(next, count, exponent);
         }
         count += 1;
     }
 }
 
-/// Whether `digits·10^exponent` is read back as x.
-const fn is_of(x: f32, digits: u64, exponent: i32) -> bool {
+/// Whether x is parsed from `digits·10^exponent`: here the exponent is that of the last digit.
+const fn is_parsed_from(x: f32, digits: u64, exponent: i32) -> bool {
     times_ten_to(digits as f64, exponent) as f32 == x
 }
 
-/// The digits, `count` of them or, rounded up to a power of ten, one more, without the zeros at their end;
-/// and the exponent.
+/// The digits without the zeros at their end, and the exponent of the first digit. `exponent` is that of the
+/// first of `count` digits; if rounding up has made them a power of ten of one digit more, the result is one
+/// larger.
 const fn without_zeros(mut digits: u64, count: i32, exponent: i32) -> (u64, i32) {
     let exponent = exponent + (digits.ilog10() as i32 + 1 - count);
     while digits.is_multiple_of(10) {
@@ -76,6 +79,8 @@ const fn times_ten_to(x: f64, exponent: i32) -> f64 {
     if exponent < 0 { x / power } else { x * power }
 }
 
+/// Appends the digits with a point after the first, unless that is the only one, and with `e` and the
+/// exponent of the first digit: `1.25e-7`.
 const fn with_exponent(text: &mut Text, digits: u64, exponent: i32) {
     let (last, mut i) = (digits.ilog10() as i32, 0);
     while i <= last {
@@ -92,6 +97,8 @@ const fn with_exponent(text: &mut Text, digits: u64, exponent: i32) {
     text.push_count(exponent.unsigned_abs() as usize);
 }
 
+/// Appends the digits with a point where the exponent of the first digit puts it, and with zeros so that
+/// there is at least one digit on each side of the point: `0.125`, `30.0`.
 const fn without_exponent(text: &mut Text, digits: u64, exponent: i32) {
     let end = exponent - digits.ilog10() as i32;
     let mut power = if exponent > 0 { exponent } else { 0 };
@@ -104,7 +111,7 @@ const fn without_exponent(text: &mut Text, digits: u64, exponent: i32) {
     }
 }
 
-/// The i-th digit from the left, the first being the 0-th, and zero before and after them.
+/// The i-th digit from the left in ASCII, counted from 0; `0` for an i before the first or after the last.
 const fn digit(digits: u64, i: i32) -> u8 {
     let last = digits.ilog10() as i32;
     if i < 0 || i > last { b'0' } else { b'0' + (digits / 10_u64.pow((last - i) as u32) % 10) as u8 }

@@ -1,5 +1,5 @@
 use crate::message::Piece::{Count, Number, Text};
-use crate::message::{Message, says};
+use crate::message::{Message, impl_error};
 
 /// Why numbers do not make a profile, and which numbers they are.
 ///
@@ -43,7 +43,7 @@ pub enum ProfileError {
     },
     /// A knot is not above the one before it, or is above it by less than 10⁻¹⁰ of the largest radius.
     KnotsNotIncreasing {
-        /// The upper of the two, from 1.
+        /// The number of the upper of the two, from 0.
         knot: usize,
         /// The height of the one before it.
         before: f32,
@@ -52,14 +52,14 @@ pub enum ProfileError {
     },
     /// Three knots stand at one height: a step has two.
     KnotThrice {
-        /// The third of them, from 2.
+        /// The number of the third of them, from 0.
         knot: usize,
         /// The height.
         height: f32,
     },
     /// The two ordinates of a step are equal.
     StepWithoutWidth {
-        /// The second knot of the step, from 1.
+        /// The number of the step's second knot, from 0.
         knot: usize,
         /// Its height.
         height: f32,
@@ -76,23 +76,24 @@ pub enum ProfileError {
     /// The squared radius is negative somewhere in a segment, at an end or between the ends, or beyond the
     /// step at an end of the profile.
     Negative {
-        /// Which segment, from 0: the first, or the last, of a step where the profile ends.
+        /// Which segment, from 0. Where the step at an end of the profile is at fault, it is the segment at
+        /// that end.
         segment: usize,
         /// The height at which the squared radius is least.
         height: f32,
         /// The squared radius there.
         square: f32,
     },
-    /// The largest squared radius is not between 10⁻³⁰ and 10³⁰.
+    /// The largest squared radius is above 10³⁰, or, flanges at the ends left out, below 10⁻³⁰.
     Size {
-        /// The largest squared radius.
+        /// That largest squared radius.
         square: f32,
     },
-    /// The profile is more than 10¹⁰ times as high as its largest radius.
+    /// The profile is more than 10¹⁰ times as high as its wall's largest radius.
     Height {
         /// The profile's height.
         height: f32,
-        /// Its largest radius.
+        /// Its wall's largest radius, flanges at the ends left out.
         radius: f32,
     },
     /// The squash is outside 0 to 1, or NaN.
@@ -107,8 +108,8 @@ pub enum ProfileError {
         /// Its radius.
         radius: f32,
     },
-    /// A radius or a height of an exact profile, as [`Profile::cylinder`](crate::Profile::cylinder), is
-    /// negative, zero, infinite or NaN.
+    /// A constructor of exact profiles, such as [`Profile::cylinder`](crate::Profile::cylinder), was given a
+    /// radius or a height that is negative, infinite, NaN, or zero where that is not allowed.
     Dimension {
         /// What the parameter is called.
         name: &'static str,
@@ -118,7 +119,7 @@ pub enum ProfileError {
 }
 
 impl ProfileError {
-    /// The words of the error.
+    /// The error in words.
     const fn message(self) -> Message {
         match self {
             Self::NoSegments { knots } => Message::of([
@@ -204,4 +205,4 @@ impl ProfileError {
     }
 }
 
-says!(ProfileError);
+impl_error!(ProfileError);

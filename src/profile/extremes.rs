@@ -7,7 +7,8 @@ pub(super) struct Extremes {
     pub least: f32,
     /// The u of the least value.
     pub narrowest: f32,
-    /// The largest value, or more by no more than rounding errors; at most the largest ordinate.
+    /// An upper bound of the largest value: the computed value plus [`VALUE_ERROR`], but at most the largest
+    /// ordinate.
     pub largest: f32,
 }
 
@@ -17,8 +18,8 @@ pub(super) struct Extremes {
 const VALUE_ERROR: f32 = 8.0 * UNIT_ROUNDOFF;
 
 impl Extremes {
-    /// The extremes of `Σ bⱼ·Bⱼ³(u)`: the least and the largest of the values at the two ends and at the
-    /// critical points between them.
+    /// The extremes of `Σ bⱼ·Bⱼ³(u)`, found among the values at the two ends and at the critical points
+    /// between them.
     pub const fn of(b: [f32; 4]) -> Self {
         let [b0, b1, b2, b3] = b;
         let size = b0.abs().max(b1.abs()).max(b2.abs()).max(b3.abs());
@@ -28,7 +29,9 @@ impl Extremes {
         let (mut least, mut narrowest) = if lower { (b0, 0.0) } else { (b3, 1.0) };
         let mut largest = b0.max(b3);
         // The differences are divided by the largest ordinate, so that their squares neither overflow nor
-        // underflow. The derivative is then 3·(d0·(1−u)² + 2·d1·u(1−u) + d2·u²), times that ordinate.
+        // underflow. The derivative is then 3·(d0·(1−u)² + 2·d1·u(1−u) + d2·u²), times that ordinate. Its
+        // zeros are d0/sum and sum/(d0 − 2·d1 + d2), where `sum` adds the root of the discriminant with the
+        // sign that cancels no digits. A zero that does not exist comes out NaN or infinite, and is left out.
         if size > 0.0 {
             let (d0, d1, d2) = ((b1 - b0) / size, (b2 - b1) / size, (b3 - b2) / size);
             let root = const_fn::sqrt(d1 * d1 - d0 * d2);

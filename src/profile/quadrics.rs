@@ -4,8 +4,8 @@ use super::{Profile, ProfileError};
 ///
 /// # Errors
 ///
-/// All of them return [`ProfileError::Dimension`] if a height or a radius is not positive and finite; where a
-/// function's doc allows it, a radius may be zero. The other errors are those of
+/// All of these constructors return [`ProfileError::Dimension`] if a height or a radius is not positive and
+/// finite; where a function's doc allows it, a radius may be zero. The other errors are those of
 /// [`Profile::from_squared_radii`].
 impl Profile<1> {
     /// A cylinder from z = 0 to z = height.
@@ -42,7 +42,7 @@ impl Profile<1> {
         Self::cone_between(base, top, height)
     }
 
-    /// A sphere about the origin.
+    /// A sphere about the origin, from z = −radius to z = radius.
     pub const fn sphere(radius: f32) -> Result<Self, ProfileError> {
         if let Err(error) = all_positive([("radius", radius)]) {
             return Err(error);
@@ -87,14 +87,14 @@ impl Profile<1> {
         Self::quadratic(-half_height, half_height, [rim, 2.0 * waist - rim, rim])
     }
 
-    /// The frustum, or cylinder, or cone, without a check of its dimensions.
+    /// The frustum, cylinder or cone from z = 0 to z = height. Its dimensions are not checked here.
     const fn cone_between(base: f32, top: f32, height: f32) -> Result<Self, ProfileError> {
         // r = base·(1 − u) + top·u
         Self::quadratic(0.0, height, [base * base, base * top, top * top])
     }
 
-    /// The profile from z to `top` whose squared radius is a quadratic with the given Bernstein ordinates.
-    /// They are converted to a cubic's four (degree elevation).
+    /// The profile from z to `top`, both ends capped, whose squared radius is the quadratic with these three
+    /// Bernstein ordinates. They are converted to a cubic's four (degree elevation).
     const fn quadratic(z: f32, top: f32, [q0, q1, q2]: [f32; 3]) -> Result<Self, ProfileError> {
         let ordinates = [q0, (q0 + 2.0 * q1) / 3.0, (2.0 * q1 + q2) / 3.0, q2];
         match Self::from_squared_radii(&[z, top], &ordinates) {
@@ -104,7 +104,8 @@ impl Profile<1> {
     }
 }
 
-/// Returns an error that names the first of the parameters that is not positive and finite, if there is one.
+/// `Ok` if all of the parameters are positive and finite; otherwise [`ProfileError::Dimension`] with the name
+/// and the value of the first that is not.
 const fn all_positive<const N: usize>(parameters: [(&'static str, f32); N]) -> Result<(), ProfileError> {
     let mut i = 0;
     while i < N {

@@ -10,7 +10,8 @@ pub(super) struct Counts {
 }
 
 impl Counts {
-    /// Counts the segments and the steps of these knots.
+    /// Counts the segments and the steps of these knots. It does not check that the heights increase: two
+    /// neighbours at falling heights count as a segment.
     ///
     /// # Errors
     ///
@@ -43,7 +44,7 @@ impl Counts {
     }
 }
 
-/// Whether a knot has the same height as the one before it.
+/// Whether the knot of this number has the same height as the one before it. False for the first, number 0.
 pub(super) const fn is_step(knots: &[f32], knot: usize) -> bool {
     knot > 0 && knots[knot] == knots[knot - 1]
 }

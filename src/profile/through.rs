@@ -14,17 +14,18 @@ struct Side {
 }
 
 impl<const N: usize> Profile<N> {
-    /// A smooth profile through points of height and radius, from the lowest up. It has a segment between each two
-    /// of different heights, N at most.
+    /// A smooth profile through points of height and radius, from the lowest up. It has a segment between
+    /// each two neighbours of different heights, N at most.
     ///
     /// Between two points the radius only grows or only shrinks: it never overshoots the points' radii. A
     /// point given twice is a corner. Two points of the same height and different radii are a step. An end
     /// without a step is open. An end on the axis, at radius 0, is round, or pointed if its point is given
     /// twice. Between two corners without a point between them the outline is a straight line.
     ///
-    /// Points on a cone, a sphere or any other quadric give that quadric, if there are at least three of them
-    /// from corner to corner (a pole counts as one), and if a segment at a pole does not extend beyond the
-    /// equator.
+    /// A stretch from one corner, step or end to the next is exact for a quadric, such as a sphere or a
+    /// hyperboloid, if it has at least three points, its two ends included, and if one of them is on the
+    /// equator or the waist, should the stretch cross it. (A cone needs only two, and at its apex the point
+    /// twice.)
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, Segment, valid};
@@ -42,8 +43,8 @@ impl<const N: usize> Profile<N> {
     /// # Errors
     ///
     /// [`ProfileError::Radius`] names a point whose radius is negative, infinite or NaN. The other errors are
-    /// those of [`Profile::from_squared_radii`]; in the numbers of their knots a point given twice counts
-    /// once.
+    /// those of [`Profile::from_squared_radii`]. The number of a knot in such an error is that of its point,
+    /// where a point given twice counts once.
     pub const fn through(points: &[Point]) -> Result<Self, ProfileError> {
         Self::join(points, false)
     }
@@ -66,7 +67,8 @@ impl<const N: usize> Profile<N> {
         Self::join(points, true)
     }
 
-    /// The profile through points, with straight lines between them or smooth.
+    /// The profile through points: [`straight`](Self::straight) if so asked, otherwise
+    /// [`through`](Self::through).
     const fn join(points: &[Point], straight: bool) -> Result<Self, ProfileError> {
         let (mut segments, mut i, mut knot) = (0, 0, 0);
         while i < points.len() {
@@ -120,28 +122,29 @@ impl<const N: usize> Profile<N> {
     }
 }
 
-/// Whether a point and the next one, if there is one, are the same.
+/// Whether point i and the next one are the same. False if there is no next one.
 const fn are_one(points: &[Point], i: usize) -> bool {
     i + 1 < points.len() && points[i].0 == points[i + 1].0 && points[i].1 == points[i + 1].1
 }
 
-/// Whether a point has the height of the one before it, but another radius.
+/// Whether point i has the height of the one before it, but another radius. False for point 0.
 const fn is_step(points: &[Point], i: usize) -> bool {
     i > 0 && points[i].0 == points[i - 1].0 && points[i].1 != points[i - 1].1
 }
 
-/// The ends of the segment between a point and the next one, as a straight line: the square of `r = r₀·(1 −
-/// u) + r₁·u`.
+/// The lower and the upper end of the segment from point i to point i + 1 as a straight line: f is the square
+/// of `r₀·(1 − u) + r₁·u`.
 const fn line(points: &[Point], i: usize) -> [Side; 2] {
     let (r0, r1) = (points[i].1, points[i + 1].1);
     let two_thirds = 2.0 / 3.0 * (r1 - r0);
     [Side { square: r0 * r0, third: two_thirds * r0 }, Side { square: r1 * r1, third: two_thirds * r1 }]
 }
 
-/// The ends of the segment between a point and the next one, with the slopes of Steffen's monotone
-/// interpolation of the squared radius (Astronomy and Astrophysics 239, 1990).
+/// The lower and the upper end of the segment from point i to point i + 1 with the slopes of Steffen's
+/// monotone interpolation of the squared radius (Astronomy and Astrophysics 239, 1990).
 const fn smooth(points: &[Point], i: usize) -> [Side; 2] {
-    // A corner, a step or an end is where no other segment continues this one.
+    // Whether another smooth segment continues this one below, and above: not so at a corner, a step or an
+    // end of the profile.
     let continues =
         [i > 0 && points[i - 1].0 < points[i].0, i + 2 < points.len() && points[i + 1].0 < points[i + 2].0];
     // An end on the axis whose point is given once is round.
@@ -160,7 +163,7 @@ const fn smooth(points: &[Point], i: usize) -> [Side; 2] {
         let below = Rise::of(points, i - 1);
         [below.joined(here), here.free(below, points[i + 1].1 == 0.0, round[1])]
     } else {
-        // A segment alone, with a round pole, is a paraboloid.
+        // A segment without neighbours whose one end is a round pole is a paraboloid.
         [here.slope, here.slope]
     };
     let (r0, r1) = (points[i].1, points[i + 1].1);
@@ -170,7 +173,7 @@ const fn smooth(points: &[Point], i: usize) -> [Side; 2] {
     ]
 }
 
-/// How the squared radius changes from a point to the next one.
+/// How the squared radius changes between the two points of a segment.
 #[derive(Clone, Copy)]
 struct Rise {
     /// The difference of the heights.
@@ -187,8 +190,9 @@ impl Rise {
         Self { height, slope: (r1 - r0) * (r1 + r0) / height }
     }
 
-    /// The slope at the point between this segment and the one above it: that of the parabola through their three
-    /// points, but no more than twice either segment's, and zero at a turn.
+    /// The slope at the point between this segment and `above`, the next one: that of the parabola through
+    /// the three points of the two, limited to twice the slope of either segment. It is zero if one of the
+    /// two segments rises and the other does not.
     const fn joined(self, above: Self) -> f32 {
         let whole = self.height + above.height;
         let parabola = (self.slope * above.height + above.slope * self.height) / whole;
@@ -199,9 +203,10 @@ impl Rise {
         if self.slope > 0.0 { 2.0 * least } else { -2.0 * least }
     }
 
-    /// The slope at the free end of this segment, where the other one continues it: that of the same parabola,
-    /// between zero and twice the segment's own. At a pole it is zero if that is pointed, and no less than the
-    /// segment's own if it is round.
+    /// The slope at this segment's free end, at which there is no neighbour; `other` is the neighbour at its
+    /// other end. It is that of the parabola through the three points of the two segments, limited to between
+    /// zero and twice this segment's slope. If the free end is a round pole, the limits are this segment's
+    /// slope and twice that; if it is a pointed pole, the slope is zero.
     const fn free(self, other: Self, pole: bool, round: bool) -> f32 {
         let part = self.height / (self.height + other.height);
         let parabola = self.slope * (1.0 + part) - other.slope * part;

@@ -48,11 +48,11 @@ pub struct Hit {
 pub enum Part {
     /// The wall: the surface that the profile sweeps out.
     Wall,
-    /// The cap at the lower end, or the ring.
+    /// The cap or the ring at the lower end.
     Base,
-    /// The cap at the upper end, or the ring.
+    /// The cap or the ring at the upper end.
     Top,
-    /// The ring of a step between two segments. It faces up where [`Hit::u`] is 1, the upper end of the segment below, and down
-    /// where it is 0, the lower end of the segment above.
+    /// The ring of a step between two segments. It faces up where [`Hit::u`] is 1, the upper end of the
+    /// segment below, and down where [`Hit::u`] is 0, the lower end of the segment above.
     Ring,
 }

@@ -17,8 +17,8 @@
 //! the solid where the chord begins.
 //!
 //! The traversal carries from chord to chord on which side of the surface the ray is. That is known where the
-//! ray begins, and changes at crossings only. So rounding can move a crossing across a join, but not lose it
-//! there.
+//! ray begins, and changes at crossings only. So rounding can move a crossing to the other side of the plane
+//! between two segments, but not lose it there.
 //!
 //! The files are in three groups:
 //!
@@ -82,10 +82,10 @@ impl<const N: usize> Lathe<[Segment; N]> {
     }
 
     /// The lathe of a profile that is a sheet of a body, given the body's first sheet (see
-    /// [`Solid::body`](crate::Solid::body)). Its heights count from the middle of the first sheet. So where
-    /// the two sheets meet, the same numbers decide what a ray does, and no ray slips through between them.
-    /// Rounding is relative to the distance from that middle: choose as the first sheet the one that all
-    /// others lie beside.
+    /// [`Solid::body`](crate::Solid::body)). Its heights count from the middle of the first sheet, as those
+    /// of all sheets of the body do. So where two sheets meet, both compute with the same numbers, and no ray
+    /// slips through between them. Rounding errors grow with the distance from that middle: take as the
+    /// first sheet one whose middle is near to all the others, such as the tallest.
     #[must_use]
     pub const fn turn_beside<const M: usize>(profile: Profile<N>, first: &Profile<M>) -> Self {
         let [low, high] = first.heights();
@@ -110,8 +110,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
         }
         let Bounds { max_slope, curvature, convexity, slope_jumps, steps } = Bounds::of(&segments, len);
         let (low, high) = (segments[0].low, segments[len - 1].high);
-        // The heights of the two ends may differ in magnitude: the middle is rounded, or it is another
-        // sheet's.
+        // −low and high may differ, because the middle is rounded, or is that of another sheet.
         let half = high.abs().max(low.abs());
         let bounding_square = widened(largest * scale * scale);
         let root_squash = const_fn::sqrt(profile.squash);
@@ -223,14 +222,14 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// one included.
     pub(crate) fn is_inside(&self, point: [f32; 3]) -> bool {
         let frame = &self.frame;
-        let p = frame.squashed(frame.point(vector(point)));
+        let p = frame.point(vector(point));
         let segment = self.view().segments.get(self.view_with_spare().index_at(p.z));
         let f = segment.map_or(0.0, |segment| segment.at(segment.parameter(p.z)).0);
         frame.low <= p.z && p.z < frame.high && dot_xy(p, p) < f
     }
 
-    /// The radius, in object space, of a ball about the frame's origin. It contains the solid whose x is
-    /// scaled by √k.
+    /// The radius of a ball about the frame's origin, in lengths of object space. The ball contains the solid
+    /// as it is after x is scaled by √k: of a squashed solid it does not contain what lies far out along x.
     pub(crate) fn ball(&self) -> f32 {
         self.frame.size / self.frame.scale
     }
@@ -239,9 +238,9 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// in [1, 4). On the wall it lies along half of the gradient, `(k·x, y, −f′(u)/2h)`; on a cap or a ring,
     /// and where the gradient is zero, along the axis.
     ///
-    /// x and y are computed in the frame. A ray that has a hit has a finite origin there, and a finite
-    /// distance to the hit. So half of the gradient is finite; [`to_one`] returns `None` for a vector that is
-    /// not, and for NaN.
+    /// All lengths in it are multiplied by the frame's scale, and x is not scaled by √k. A ray that has a hit
+    /// has a finite origin after that scaling, and a finite distance to the hit. So half of the gradient is
+    /// finite, and [`to_one`] returns `None` only where it is zero or subnormal.
     pub(crate) fn gradient(&self, ray: &Ray, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
         let faces_up = match hit.part {

@@ -94,7 +94,7 @@
 //! | *body* | a solid bounded by several sheets |
 //! | *sheet* | one of the lathes that bound a body, with the material inside or outside of it |
 //! | *segment* | the part of a profile between two knots, where the squared radius is one cubic |
-//! | *frame* | a lathe's own coordinates: origin half way up the axis, scaled by a power of two so that the largest squared radius is in [1, 4), x scaled by √k |
+//! | *frame* | a lathe's own coordinates: origin half way up the axis; all lengths scaled by one power of two, so that the largest squared radius is in [1, 4); then x scaled by √k, so that every lathe is round |
 //! | *slab* | the space between the planes of a segment's two knots |
 //! | *chord* | the part of a ray in a segment's slab |
 //! | *unit* | 2⁻²⁴·(size + distance), in which the promises below are stated |

@@ -21,12 +21,12 @@ pub struct Ray {
     /// The point where the ray starts.
     pub(crate) origin: F32x3,
     /// The direction that the caller gave, divided by a power of two so that its largest component is in [1,
-    /// 4). The direction of a camera's ray is not divided: its length is from 1 to 1 + 30·√(1 +
-    /// (height/width)²), where 30 is the largest half-width.
+    /// 4). The direction of a camera's ray is not divided: its length in a picture is from 1 to √(1 + 30²·(1
+    /// + (height/width)²)), where 30 is the largest half-width of a camera's picture at unit distance.
     pub(crate) direction: F32x3,
-    /// The factor from `direction` to the vector by which t counts: the point at t is `origin +
-    /// (t·unit)·direction`. It is the power of two that the direction was divided by. Of a ray in a solid's
-    /// own space it is that power divided by the solid's scale, so that t is the same there as in the world.
+    /// The factor between t and `direction`: the point at t is `origin + (t·unit)·direction`. It is the power
+    /// of two that the direction was divided by. For a ray that was moved into a solid's own space, it is
+    /// that power divided by the scale of the solid's pose, so that t is the same there as in the world.
     pub(crate) unit: f32,
 }
 
@@ -65,7 +65,8 @@ impl Ray {
         array(scale(self.direction, self.unit))
     }
 
-    /// A ray whose direction is known to be finite and, except for rounding, 1 or longer.
+    /// A ray whose direction is known to be finite and, except for rounding, 1 or longer. It is kept as it
+    /// is, with a unit of 1.
     pub(crate) const fn new_unchecked(origin: F32x3, direction: F32x3) -> Self {
         Self { origin, direction, unit: 1.0 }
     }
@@ -78,8 +79,9 @@ impl Ray {
         array(if finite(point) { point } else { self.far_at(t) })
     }
 
-    /// Does the same when a product or a sum overflowed, which can happen although the point itself is in
-    /// range. It adds halves of the two terms, which are finite, and doubles their sum.
+    /// Returns the same point as `at`, where a product or a sum in `at` overflowed; that can happen although
+    /// the point itself is in range. It adds halves of the two terms, which are finite, and doubles their
+    /// sum. A coordinate beyond f32's range becomes f32's largest number, or its negative.
     #[cold]
     #[inline(never)]
     fn far_at(&self, t: f32) -> F32x3 {

@@ -53,9 +53,10 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     ///
     /// `16·2⁻²⁴·(4·R + distance + |point|)`.
     ///
-    /// R is the radius of a ball about the middle of the axis that contains the solid. `distance` is that of
-    /// the ray's origin from the middle of the axis, and `|point|` that of the hit's point from the origin of
-    /// the coordinates; both are sums of the coordinates' magnitudes.
+    /// R is the radius of a ball about the middle of the axis that contains the solid; if the solid is
+    /// stretched along x, the solid without that stretch. `distance` is that of the ray's origin from the
+    /// middle of the axis, and `|point|` that of the hit's point from the origin of the coordinates; both are
+    /// sums of the coordinates' magnitudes.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, Ray, valid};
@@ -84,9 +85,10 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
 /// Three errors add up, counted here in multiples of 2⁻²⁴. First, the hit lies within 4 *units* of the
 /// surface. Its unit is size + distance + the hit's own distance, at most 2·(size + distance), so this error
 /// is at most 8·(size + distance). Second, `Ray::at` rounds a product, at most 2·(size + distance), and a
-/// sum, at most |point|. Third, the new ray must clear the surface by 4 units of size + size, and its origin
-/// is rounded once, |point|. The total is 18·size + 10·distance + 2·|point|, where size is at most 2·R. The
-/// offset, 16·(4·R + distance + |point|), is larger by more than half.
+/// sum, at most |point|. Third, the new ray must clear the surface by 4 units, where its unit is size +
+/// distance with a distance of at most size, and its origin is rounded once, |point|. The total is 18·size +
+/// 10·distance + 2·|point|, where size is at most 2·R. The offset, 16·(4·R + distance + |point|), is larger
+/// by more than half.
 const OFFSET: f32 = 16.0 * UNIT_ROUNDOFF;
 
 impl Surface {

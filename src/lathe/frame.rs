@@ -6,8 +6,8 @@ use crate::hit::Part;
 use crate::math::UNIT_ROUNDOFF;
 use crate::vector::{F32x3, vector};
 
-/// The tolerance of a length or a height is this, 16 units of 2⁻²⁴, times the distance that the length or the
-/// height was computed from.
+/// By how much rounding may change a length or a height at a point of a ray, relative to the sum of the
+/// solid's size and the distance of the ray's origin: 16 units of 2⁻²⁴.
 ///
 /// The fast path's tolerance in g is built on it. At a place on a ray, the tolerance in g is
 ///
@@ -29,9 +29,10 @@ use crate::vector::{F32x3, vector};
 /// | \|back\| | 4·√q ≤ 8·(q + dz²) | 32·(q + dz²) |
 /// | S·\|back\| | 11·\|dz\| ≤ 11·(q + dz²) | 16·(q + dz²) |
 ///
-/// On the plane of an end, at the distance s from the ray's point nearest to the axis, x² + y² has a further
-/// error: the error of the height times |2·q·s/dz|, at most 66·size + 22·|back|·(q + dz²) times |q·s/dz|.
-/// There the tolerance is multiplied by 1 + |q·s/dz|.
+/// For the point where the ray passes the plane of an end, at the distance s from its point nearest to the
+/// axis, x² + y² has a further error: the error of the height times |2·q·s/dz|. By the bound above, with
+/// 3·r·|dz|/√q < 24·r ≤ 24·size, twice the error of the height is at most 66·size + 22·|back|·(q + dz²), less
+/// than the tolerance allows for the terms without S. So there the tolerance is multiplied by 1 + |q·s/dz|.
 pub const LENGTH_TOLERANCE: f32 = 16.0 * UNIT_ROUNDOFF;
 
 /// The distance that the tolerance allows for even where the ray's origin is near, in units of the size of
@@ -42,35 +43,40 @@ pub const BASE_DISTANCE: f32 = 2.5;
 /// [`LENGTH_TOLERANCE`] takes for granted.
 pub const LEAST_CONVEXITY: f32 = 1.0 / 64.0;
 
-/// The lathe's frame, and bounds of the whole lathe. The frame is object space moved so that the origin is
-/// half way up the axis (or half way up that of the first sheet of a body), and scaled. Lengths are in the
-/// frame unless a field says otherwise.
+/// The lathe's frame, and bounds of the whole lathe. The frame is object space moved along the axis so that
+/// the origin is half way up the axis (or half way up that of the first sheet of a body), then scaled by
+/// `scale`, then x scaled by √k. [`Frame::point`] does all three. Lengths are in the frame unless a field
+/// says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Frame {
     /// How many segments there are.
     pub len: usize,
-    /// k and √k.
+    /// The squash k.
     pub squash: f32,
+    /// √k.
     pub root_squash: f32,
-    /// A power of two: lengths in the frame are lengths in object space times it. It brings the largest
-    /// squared radius into [1, 4).
+    /// A power of two that brings the largest squared radius into [1, 4). Lengths along y and z in the frame
+    /// are those in object space times `scale`; lengths along x, times `scale`·√k.
     pub scale: f32,
     /// The height in object space of the frame's origin.
     pub middle: f32,
-    /// The heights of the lower and of the upper end.
+    /// The height of the lower end.
     pub low: f32,
+    /// The height of the upper end.
     pub high: f32,
     /// The squared radius of the bounding cylinder: the largest squared radius of the profile, widened.
     pub bounding_square: f32,
-    /// The radius of a ball about the frame's origin. It contains the solid whose x is scaled by √k.
+    /// The radius of a ball about the frame's origin that contains the solid as it is in the frame.
     pub size: f32,
-    /// In object space: the larger of the distances of the two ends from the frame's origin; and the radius
-    /// of a cylinder that contains the solid, infinite for a sheet (k = 0).
+    /// The larger of the distances of the two ends from the frame's origin, in object space.
     pub half_height: f32,
+    /// The radius of a cylinder about the axis that contains the solid, in object space. It is infinite for a
+    /// sheet (k = 0).
     pub radius: f32,
-    /// Upper bounds of |F′| and of |F″/2|, F the squared radius by height.
+    /// An upper bound of |F′|, where F is the squared radius by height.
     pub max_slope: f32,
+    /// An upper bound of |F″/2|.
     pub curvature: f32,
     /// An upper bound of F″/2 between knots, at least [`LEAST_CONVEXITY`].
     pub convexity: f32,
@@ -91,8 +97,8 @@ pub(crate) struct Frame {
     /// [`LENGTH_TOLERANCE`]·(2 + max_slope): the tolerance in g is this times the distance
     /// `base_distance + |back|·(q + dz²)`.
     pub g_tolerance: f32,
-    /// The part of that distance that is the same for all rays: [`BASE_DISTANCE`] times the size, plus the
-    /// sum of all upward jumps of g divided by `g_tolerance`. So the tolerance exceeds that sum.
+    /// The part of that distance that is the same for all rays. It is [`BASE_DISTANCE`] times the size, plus
+    /// the quotient of the sum of all upward jumps of g and `g_tolerance`. So the tolerance exceeds that sum.
     pub base_distance: f32,
 }
 
@@ -136,10 +142,11 @@ pub(crate) struct EndPlane {
     /// What lies on the plane between the radii of `wall` and `beyond`: a cap or a ring; `Part::Wall` if the
     /// wall closes to a point; `None` if the end is open.
     pub part: Option<Part>,
-    /// The squared radius of the wall at the end, and the squared radius within which a ray just outside the
-    /// plane counts as inside: equal to `wall` if the end is open, zero if it is capped. A ring lies between
-    /// the two: within the wall if `beyond` is smaller, outside it if `beyond` is larger.
+    /// The squared radius of the wall at the end: within it a ray on the solid's side of the plane is inside.
     pub wall: f32,
+    /// The squared radius within which a ray on the other side of the plane counts as inside. It is equal to
+    /// `wall` if the end is open, and zero if the end is capped. Else a ring lies between the two radii:
+    /// within the wall if `beyond` is smaller than `wall`, around it if `beyond` is larger.
     pub beyond: f32,
 }
 
@@ -161,7 +168,7 @@ impl EndPlane {
         if self.beyond == 0.0 { self.wall } else { 0.0 }
     }
 
-    /// Whether a ring leaves the end partly open.
+    /// Whether there is a ring, within the wall or around it. A cap is no ring.
     pub const fn is_ring(&self) -> bool {
         self.wall != self.beyond && self.beyond != 0.0
     }
@@ -173,13 +180,14 @@ impl EndPlane {
 }
 
 impl Frame {
-    /// A point of object space in the frame, x not yet scaled by √k.
+    /// A point of object space in the frame: moved, scaled, and x scaled by √k.
     #[inline(always)]
     pub fn point(&self, p: F32x3) -> F32x3 {
-        (p - vector([0.0, 0.0, self.middle])) * self.scale
+        self.squashed((p - vector([0.0, 0.0, self.middle])) * self.scale)
     }
 
-    /// A vector with x scaled by √k: after that every lathe is round.
+    /// A vector with x scaled by √k. It is all that a ray's direction needs, whose length is not scaled: its
+    /// t is multiplied by `scale` instead.
     #[inline(always)]
     pub fn squashed(&self, v: F32x3) -> F32x3 {
         vector([v.x * self.root_squash, v.y, v.z])
@@ -209,8 +217,9 @@ impl View<'_> {
             }
         }
     }
-    /// The number of the segment at a height, found by single steps from segment `index`. Below the solid it
-    /// is `usize::MAX`, above the solid at least `len`; `index` itself if z is NaN.
+
+    /// The number of the segment at a height, found by single steps from segment `index`. It is `usize::MAX`
+    /// for a height below the solid, at least `len` for one above, and `index` itself if z is NaN.
     #[inline(always)]
     pub fn index_from(&self, mut index: usize, z: f32) -> usize {
         while self.segments.get(index).is_some_and(|segment| z < segment.low) {

@@ -7,14 +7,14 @@
 //! ```
 //!
 //! Points of a ray have three parameters. The t of a [`Ray`](crate::Ray) counts in units of the direction
-//! that the ray was made of. The other two count in units of `Ray::direction`, which is that direction scaled
-//! to a length between 1 and 43:
+//! that the ray was made of. The other two count in units of the ray's field `direction`, which is that
+//! direction divided by `unit`:
 //!
 //! | name | counts from | in units of | used for |
 //! |---|---|---|---|
 //! | t of a [`Ray`](crate::Ray) | the ray's origin | the direction given | `t_min`, the t of a hit |
-//! | t of a [`LocalRay`] | the ray's point nearest to the frame's origin | `Ray::direction`, in the frame | planes, the state of the traversal |
-//! | s | the point that g is formed about: a chord's `origin`, a place of the fast path | `Ray::direction`, in the frame | the argument of g |
+//! | t of a [`LocalRay`] | the ray's point nearest to the frame's origin | the field `direction`, x scaled by √k | planes, the state of the traversal |
+//! | s | the point that g is formed about: a chord's `origin`, a place of the fast path | the field `direction`, x scaled by √k | the argument of g |
 
 mod chord;
 mod fast_path;

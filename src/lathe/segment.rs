@@ -12,8 +12,9 @@ use crate::profile::ProfilePiece;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Segment {
     // All lengths are in the lathe's frame. "By height" means over z, other derivatives are over u.
-    /// The heights of the two ends.
+    /// The height of the lower end.
     pub(super) low: f32,
+    /// The height of the upper end.
     pub(super) high: f32,
     /// 1/h, `h = high − low`. Infinite where the two heights are the same number in the frame.
     pub(super) per_height: f32,
@@ -37,22 +38,24 @@ pub struct Segment {
     half: [f32; 2],
 }
 
-/// The larger of two numbers; NaN if `a` or `b` is NaN. A segment whose height vanishes in the frame has a
-/// [`max_slope`](Segment::max_slope) of NaN or infinity. So has then the lathe, and its tolerance in g is NaN
-/// or infinite, too: the fast path certifies only that a ray passes the bounding cylinder.
+/// The larger of two numbers; NaN if `a` or `b` is NaN.
+///
+/// A segment whose height is zero in the frame has a [`max_slope`](Segment::max_slope) of NaN or infinity.
+/// Then the lathe's largest slope and its tolerance in g are NaN or infinite, too. With such a tolerance the
+/// fast path decides only on rays that miss the bounding cylinder.
 pub(super) const fn greater_or_nan(a: f32, b: f32) -> f32 {
     if a > b || a.is_nan() { a } else { b }
 }
 
-/// A squared radius r², enlarged by 2⁻⁹ of itself for a bounding cylinder. A point outside that cylinder is
-/// outside the solid. So is a point that is computed to be on the cylinder, however it was rounded.
+/// A squared radius r², enlarged by 2⁻⁹ of itself for a bounding cylinder. A point that is computed to be on
+/// that cylinder or outside it is outside the solid, because the enlargement exceeds the rounding errors.
 ///
-/// 2⁻⁹ is 2¹⁵ units of 2⁻²⁴. Rounding changes x² + y² by 33 units of r² near the lathe's largest radius (see
-/// [`frame::LENGTH_TOLERANCE`](super::frame::LENGTH_TOLERANCE)), a thousandth of that. The rest is for the
-/// distance D of the ray's origin, which changes x² + y² by another 4·D units: it is enough up to D = (2¹³ −
-/// 9)·r. If the origin is farther away, or if r is so small a part of the largest radius that rounding takes
-/// more than 2⁻⁹ of r², a ray may be passed over in error. Such a ray passes the silhouette at a distance
-/// within rounding.
+/// In units of 2⁻²⁴ the enlargement is 2¹⁵·r². If r is the lathe's largest radius, which is at least 1,
+/// rounding changes x² + y² and r² together by at most 33·r² + 4·D, where D is the distance of the ray's
+/// origin (see [`frame::LENGTH_TOLERANCE`](super::frame::LENGTH_TOLERANCE)). That is less than 2¹⁵·r² up to D
+/// = (2¹³ − 9)·r. If the origin is farther away, or if r is so small a part of the largest radius that
+/// rounding takes more than 2⁻⁹ of r², a ray that hits may be passed over. Such a ray is as near to the
+/// silhouette as rounding can displace it.
 pub(super) const fn widened(square: f32) -> f32 {
     square * (1.0 + 1.0 / 512.0)
 }
@@ -119,11 +122,11 @@ impl Segment {
         3.0 * (b1 - b0).abs().max((b2 - b1).abs()).max((b3 - b2).abs()) * self.per_height
     }
 
-    /// This segment with the slope jump to the next one.
+    /// This segment with its `slope_jump` computed, given the next segment.
     pub(super) const fn before(self, next: &Self) -> Self {
         let jump =
             3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height;
-        // NaN stays NaN.
+        // A jump of NaN stays NaN.
         Self { slope_jump: if jump <= 0.0 { 0.0 } else { jump }, ..self }
     }
 

@@ -18,8 +18,9 @@ pub(super) struct Chord<'a> {
     /// The local ray's t at s = 0.
     origin: f32,
     g: Cubic,
-    /// The chord's ends, in s.
+    /// The s at which the chord begins.
     from: f32,
+    /// The s at which it ends.
     to: f32,
 }
 
@@ -27,9 +28,10 @@ impl<'a> Chord<'a> {
     /// The chord in the slab of segment number `index`, between two t of the local ray.
     ///
     /// g is formed about one of two points: the chord's point nearest to the axis, where x² + y² is least, or
-    /// its point nearest to the height where the segment is narrowest. The second is taken if f + x² + y² is
-    /// less there, as it can be for a steep ray. So by a pole or in a narrow neck the coefficients, and their
-    /// rounding, are as small as the solid is there.
+    /// its point nearest to the height where the segment is narrowest. The second is taken if there f and the
+    /// excess of x² + y² over the ray's least are together less than f at the first, as they can be for a
+    /// steep ray. So by a pole or in a narrow neck the coefficients, and their rounding errors, are as small
+    /// as the solid is there.
     #[inline(always)]
     pub fn new(ray: &'a LocalRay, segment: &'a Segment, index: usize, [from, to]: [f32; 2]) -> Self {
         let mut origin = ray.closest(from, to);
@@ -55,7 +57,8 @@ impl<'a> Chord<'a> {
         Crossings::between(&self.g, [self.from, self.to], [inside, ends_inside])
     }
 
-    /// The hit at the root s of g. Its t is the root refined by Newton's method.
+    /// The hit on the wall at the root s of g, refined by Newton's method. Its t is that of the
+    /// [`Ray`](crate::Ray).
     #[inline(always)]
     pub fn hit(&self, s: f32, enters: bool) -> Hit {
         let ends = [self.origin + self.from, self.origin + self.to];
@@ -79,16 +82,19 @@ const REFINING_STEPS: u32 = 12;
 ///
 /// Far from the point that g was formed about, rounding changes g by a few units of 2⁻²⁴ of all its terms
 /// there, and moves its root accordingly. So g is formed anew about each approximation, where rounding
-/// changes it by units of f and x² + y² only. One step or two suffice, except where a segment comes to a
-/// point that is blunt only from very near: there the root is almost double, and each step halves the error.
+/// changes it by units of f and x² + y² only. One step or two suffice, except at a tip that is almost that of
+/// a cone, where f and f′ are both almost zero: there the root is almost double, and each step halves the
+/// error.
+///
 /// The method ends with a step of at most four units of 2⁻²⁴ times 1 + |t|. That is about what the rounding
-/// of t and of g leaves, since the largest radius in the frame is at least 1.
+/// of t and of g leaves, since the largest radius in the frame is at least 1. It ends before a step for which
+/// Newton's method is not sure to come nearer, and then returns the approximation reached.
 #[inline(always)]
 fn refined(ray: &LocalRay, segment: &Segment, mut t: f32, [from, to]: [f32; 2]) -> f32 {
     for _ in 0..REFINING_STEPS {
         let [c0, c1, c2, _] = ray.g_about(segment, t).c;
-        // With |c0·c2| ≥ c1²/4 the root of g's parabola is double or missing, or the step is too long by a
-        // fifth or more.
+        // With c0·c2 ≥ c1²/4 the parabola c0 + c1·s + c2·s² has a double root or none; with c0·c2 ≤ −c1²/4
+        // the step to its root, c0/c1, is too long by a fifth or more. NaN ends the method, too.
         if !(4.0 * (c0 * c2).abs() < c1 * c1) {
             break;
         }

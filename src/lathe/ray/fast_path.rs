@@ -53,8 +53,8 @@ pub(super) enum Decision {
     Undecided,
 }
 
-/// The q above which a ray is flat enough: with q ≥ 1/4, √q ≤ 2·q and |dz| ≤ q + dz², as the tolerance needs
-/// (see [`LENGTH_TOLERANCE`](crate::lathe::frame::LENGTH_TOLERANCE)).
+/// The q above which a ray is flat enough for the fast path: with q ≥ 1/4, √q ≤ 2·q and |dz| ≤ q + dz², as
+/// the tolerance needs (see [`LENGTH_TOLERANCE`](crate::lathe::frame::LENGTH_TOLERANCE)).
 const FLAT: f32 = 0.25;
 
 /// The most steps of Newton's method. They begin at the root of the parabola, which is off by the cubic term
@@ -78,11 +78,12 @@ struct Slopes<'a> {
 
 /// A point of a ray.
 struct Place {
-    /// The distance from the place to the ray's origin, in units of the direction: negative for a place ahead
-    /// of it.
+    /// How far back the ray's origin is from the place, in units of the direction: the place is at the origin
+    /// minus `back` times the direction. It is negative for a place that the ray reaches.
     back: f32,
-    /// The squared distance from the axis, and half its derivative along the ray.
+    /// The squared distance from the axis.
     square: f32,
+    /// Half the derivative of `square` along the ray.
     half_slope: f32,
     /// The height.
     z: f32,
@@ -91,8 +92,9 @@ struct Place {
 /// g about a place, along the cubic of the place's segment.
 struct Expansion<'a> {
     segment: &'a Segment,
-    /// The segment's parameter at the place, and its derivative along the ray.
+    /// The segment's parameter u at the place.
     u: f32,
+    /// κ, the derivative of u along the ray.
     kappa: f32,
     /// `[c0, c1, c2]` of `g = c0 + 2·c1·s + c2·s² + f₃·κ³·s³`.
     parabola: [f32; 3],
@@ -175,7 +177,7 @@ impl<'a> Expansion<'a> {
 enum Guess {
     /// At this s, in the expansion's own segment.
     Here(f32),
-    /// About the point at this s, in another segment.
+    /// Near the point at this s, which is in another segment or is no root: it needs an expansion of its own.
     Elsewhere(f32),
 }
 
@@ -249,8 +251,8 @@ impl View<'_> {
             // The flatter the ray, the farther rounding of heights moves its point on a plane, and x² + y²
             // with it.
             tolerance *= 1.0 + (place.half_slope / d.z).abs();
-            // The solid lies only on the far side of the plane, and there the ray is farther from the axis
-            // than here.
+            // The solid lies only on that side of the plane where the ray is farther from the axis than at
+            // this point.
             if place.square > frame.bounding_square + tolerance {
                 return Decision::Miss;
             }
@@ -291,20 +293,28 @@ impl View<'_> {
         let way = s - place.back;
         let unit = frame.scale * ray.unit;
         let t = way / unit;
-        // The margin m = (A − J)/2 is computed with the slope A before Newton's last step b. That step
-        // changes half the slope by up to most·|b|. By root_near, (most·b)² ≤ most·ROOT_ERROR·A; by the first
-        // test, m² > 2·most·tolerance. So
+        // The square of the true margin, (A − J)/2 at the root, must exceed most·tolerance: then g rises
+        // above the tolerance beyond the root. `margin` is computed with the slope A at the point before the
+        // last step of Newton's method. Let that step be e; it changes half the slope by up to most·|e|.
+        // root_near ends with (most·e)² ≤ most·ROOT_ERROR·A, and the first condition below is margin² >
+        // 2·most·tolerance. So
         //
-        //     (most·b/m)² < ROOT_ERROR·A/(2·tolerance) < 0.075 = 0.274²
+        //     (most·e/margin)² < ROOT_ERROR·A/(2·tolerance).
         //
-        // since the tolerance is at least 80·ROOT_ERROR·(2 + S), and A ≤ |d|·(S + 4) ≤ 12·(2 + S) for |d|
-        // ≤ 4. The step leaves of m² at least (1 − 0.274)²·m² > 1.05·most·tolerance, and so g rises above the
-        // tolerance beyond the root. The tolerance grows with |d| as A does, times the distance of the origin
-        // in the frame: if that distance is 0.4 or more, this holds for any direction. If the origin is
-        // nearer and |d| is more than 6.8, up to 43, at least an eighth of the tolerance is left.
+        // Let |d|² = q + dz², S = max_slope, r the largest radius, which is in [1, 2), and D the distance of
+        // the ray's origin from its point nearest to the axis. Then
         //
-        // By is_beyond, way − t_min·unit is positive. So the third test holds only if the margin is positive,
-        // too.
+        //     A ≤ |d|·(S + 2·r) ≤ |d|·r·(2 + S),
+        //     tolerance ≥ 32·ROOT_ERROR·(2 + S)·(2.5·r + D·|d|),
+        //
+        // and the quotient is less than 0.075 = 0.274² if |d| ≤ 11, or if D ≥ r/4, whatever |d| is. So the
+        // true margin is at least (1 − 0.274)·margin, and its square exceeds 1.05·most·tolerance. Only a
+        // camera whose angle of view, measured along the diagonal, is more than 169° makes a longer
+        // direction. If its eye is nearer than r/4, a part of 2·(1 − √(|d|/160))² of the tolerance is left:
+        // 2/5 or more if |d| ≤ 43, as in every picture that is no taller than wide.
+        //
+        // way − t_min·unit is positive if is_beyond holds. So the third condition holds only if `margin` is
+        // positive, too.
         let is_certain = margin * margin > 2.0 * most * tolerance
             && lesser(u, 1.0 - u) > tolerance * expansion.segment.per_height
             && (way - t_min * unit) * margin > tolerance

@@ -7,26 +7,27 @@ use crate::math::minmax::{greater, lesser};
 use crate::ray::Ray;
 use crate::vector::{F32x3, dot, dot_xy};
 
-/// A ray in the lathe's frame, x scaled by √k. Its t counts from the point of the ray that is nearest to the
-/// frame's origin. So all numbers have the size of the solid, however far away the ray's own origin is.
+/// A ray in the lathe's frame. Its t counts from the point of the ray that is nearest to the frame's origin.
+/// So all numbers have the size of the solid, however far away the ray's own origin is.
 ///
-/// With x scaled, every lathe is round. So of x and y only the squared distance from the axis is kept, `x² +
-/// y² = square + q·(t − nearest)²`.
+/// In the frame every lathe is round, because x is scaled by √k. So of x and y only the squared distance from
+/// the axis is kept, `x² + y² = square + q·(t − nearest)²`.
 pub(crate) struct LocalRay {
-    /// The height at t = 0, and its derivative over t.
+    /// The height at t = 0.
     pub z: f32,
+    /// The derivative of the height over t.
     pub dz: f32,
     /// 1/dz: +∞ for a horizontal ray.
     pub per_dz: f32,
     /// dx² + dy².
     pub q: f32,
-    /// The t at which the ray is nearest to the axis, zero for a ray parallel to the axis; and the squared
-    /// distance from the axis there.
+    /// The t at which the ray is nearest to the axis; zero for a ray parallel to the axis.
     pub nearest: f32,
+    /// The squared distance from the axis there.
     pub square: f32,
     /// The sum `t + shift` counts from the ray's own origin.
     pub shift: f32,
-    /// The factor that turns a t of the [`Ray`] into `t + shift`.
+    /// The factor between the two parameters: a t of the [`Ray`] times `unit` is `t + shift` of this ray.
     pub unit: f32,
 }
 
@@ -34,14 +35,14 @@ impl LocalRay {
     /// The ray in the frame, given in object space.
     #[inline(always)]
     pub fn new(frame: &Frame, ray: &Ray) -> Self {
-        let (o, d) = (frame.squashed(frame.point(ray.origin)), frame.squashed(ray.direction));
+        let (o, d) = (frame.point(ray.origin), frame.squashed(ray.direction));
         let back = dot(o, d) / dot(d, d);
         Self { shift: -back, unit: frame.scale * ray.unit, ..Self::through(o - d * back, d) }
     }
 
-    /// The ray through a point of the frame, x scaled by √k. Its t counts from the point, in units of
-    /// `direction`; its shift is zero. The point should lie near the solid: the rounding errors of z and
-    /// square are relative to the point's distance from the frame's origin.
+    /// The ray through a point in a direction, both in the frame. Its t counts from the point, in units of
+    /// `direction`; its shift is 0 and its unit 1. The point should lie near the solid: the rounding errors
+    /// of z and square are relative to the point's distance from the frame's origin.
     #[inline(always)]
     pub fn through(point: F32x3, direction: F32x3) -> Self {
         let (p, d) = (point, direction);

@@ -62,8 +62,9 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     }
 
     /// Calls `see` with `nearest`, if the fast path has found it, and then with each crossing beyond `t_min`
-    /// that the traversal finds. The traversal finds `nearest` again, at a t that may differ by rounding;
-    /// this second report is left out. (There is none if its t is not beyond `t_min`.) Each t is at least the
+    /// that the traversal finds, except for `nearest` itself. If the traversal's first crossing enters the
+    /// solid, it is `nearest` again, at a t that may differ by rounding, and is left out. If it leaves the
+    /// solid, the t that the traversal computes for `nearest` is not beyond `t_min`. No t is smaller than the
     /// one before it: where rounding puts a wall before the cap at its rim, the wall's t is raised.
     fn each_hit_on<S: Solver>(&self, ray: &Ray, t_min: f32, nearest: Option<Hit>, mut see: impl FnMut(Hit)) {
         let local = LocalRay::new(&self.frame, ray);
@@ -89,7 +90,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// search, whatever the number of segments. For the others the segments near the ray are traversed.
     ///
     /// A ray from inside, or one that comes in through an open end, meets the wall from within, and its hit
-    /// leaves the solid. A ray that lies in the plane of a cap meets the rim of the cap.
+    /// leaves the solid. A horizontal ray exactly at the height of a cap hits the wall at the cap's rim.
     // Not inlined: it needs all registers, and so do its callers.
     #[inline(never)]
     #[must_use]

@@ -11,11 +11,11 @@ use crate::math::{Math, UNIT_ROUNDOFF};
 use crate::solve::Solver;
 use core::ops::ControlFlow;
 
-/// The relative error of the t at which a ray is nearest to the axis, and of what [`Interval::new`] computes
-/// from it, has four units of 2⁻²⁴: two of q, which is a product and a sum, one of the quotient `nearest`,
-/// and one of the sum with `half`. The numerator of the quotient is rounded, too. That moves the t by 2·2⁻²⁴
-/// of the ray's distance over √q, which the widening of the bounding cylinder covers (see
-/// [`widened`](crate::lathe::segment::widened)).
+/// An upper bound of the relative error of the t at which a ray is nearest to the axis, and of what
+/// [`Interval::new`] computes from it. Four roundings of 2⁻²⁴ add up: two in q, which is a product and a sum,
+/// one in the quotient `nearest`, and one in the sum with `half`. The numerator of the quotient is rounded,
+/// too. That moves the t by 2·2⁻²⁴ times the ray's distance over √q, which the widening of the bounding
+/// cylinder covers (see [`widened`](crate::lathe::segment::widened)).
 const NEAREST_ERROR: f32 = 4.0 * UNIT_ROUNDOFF;
 
 /// Where a ray may meet a lathe: from `from` to `to`, in the local ray's t.
@@ -29,8 +29,8 @@ struct Interval {
 }
 
 impl Interval {
-    /// The interval between the profile's ends, within the bounding cylinder, beyond `t_min`. `None` if it is
-    /// empty or infinite.
+    /// The interval between the profile's ends, within the bounding cylinder, beyond `t_min`, a t of the
+    /// [`Ray`](crate::Ray). `None` if it is empty or infinite.
     ///
     /// A bound that does not exist (the plane of an end for a horizontal ray, the cylinder for a vertical
     /// one) is infinite, or NaN, which `lesser` and `greater` ignore: neither ray is a special case.
@@ -56,8 +56,9 @@ impl Interval {
     }
 }
 
-/// Follows a ray through the slabs of a lathe's segments and reports the crossings beyond `t_min`, in order,
-/// until `meet` breaks off. Returns what `meet` broke off with, or `None` if it never did.
+/// Follows a ray through the slabs of a lathe's segments and calls `meet` with each crossing beyond `t_min`,
+/// a t of the [`Ray`](crate::Ray), in order, until `meet` breaks off. Returns what `meet` broke off with, or
+/// `None` if it never did.
 ///
 /// The state is on which side of the surface the ray is. On the plane between two segments the radius common
 /// to both decides it. Rounding may put a crossing near the plane beyond the end of the first segment and
@@ -106,8 +107,9 @@ struct Traversal<'a> {
     up: bool,
     /// The number of the segment that the ray comes to.
     index: usize,
-    /// The t at which the ray comes to it, and the squared distance from the axis there.
+    /// The local ray's t at which the ray comes to it.
     at: f32,
+    /// The squared distance from the axis there.
     square: f32,
     /// The squared radius at the end of the segment before. `None` if the ray begins between planes.
     before: Option<f32>,
@@ -134,8 +136,9 @@ impl<'a> Traversal<'a> {
         Some(Self { frame, ray, up, index, at, square, before, inside })
     }
 
-    /// Passes the plane that the ray has come to, given the segment behind it, or `None` behind the last.
-    /// Returns the hit on the plane if the ray changes sides there.
+    /// Passes the plane that the ray has come to, given the segment on the other side, or `None` if the ray
+    /// leaves the last one. Returns the hit on the plane, and changes `inside`, if the ray changes sides
+    /// there; else `None`, also where the ray has begun between planes.
     #[inline(always)]
     fn plane(&mut self, segment: Option<&Segment>) -> Option<Hit> {
         let before = self.before?;
@@ -149,8 +152,9 @@ impl<'a> Traversal<'a> {
         Some(plane_hit(self.frame, self.ray.distance(self.at), self.index, is_step, self.up, self.inside))
     }
 
-    /// Passes the slab of the segment, as far as `to`, and reports the hits in it. Returns whether the ray
-    /// comes to the next plane, or what `report` broke off with.
+    /// Passes the slab of the segment, as far as `to`, and reports the hits in it. Afterwards the state is
+    /// that at the next plane, if the ray comes to it. Returns whether it does, or what `report` broke off
+    /// with.
     #[inline(always)]
     fn slab<S: Solver, B>(
         &mut self,
@@ -182,10 +186,11 @@ impl<'a> Traversal<'a> {
     }
 }
 
-/// The hit on a plane where a ray changes sides, at the t of the [`Ray`](crate::Ray). It is on the ring of
-/// the plane if `is_step`; else on the circle of the wall, where the height of a segment is too small for the
-/// crossing to be found within it. `index` is the number of the segment behind the plane, one past the last
-/// or `usize::MAX` if there is none; `up` says whether the ray rises, `enters` whether it enters the solid.
+/// The hit on a plane where a ray changes sides, at the t of the [`Ray`](crate::Ray). If `is_step`, it is on
+/// the ring or cap in the plane. Else it is on the wall, where that meets the plane: a segment's height is
+/// so small that the crossing was not found within the segment. `index` is the number of the segment that the
+/// ray comes to, one past the last or `usize::MAX` if there is none; `up` says whether the ray rises,
+/// `enters` whether it enters the solid.
 #[inline(never)]
 fn plane_hit(frame: &Frame, t: f32, index: usize, is_step: bool, up: bool, enters: bool) -> Hit {
     // The number of the segment above the plane.

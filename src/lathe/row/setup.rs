@@ -17,7 +17,7 @@ impl Lathe {
         let lathe = self.view();
         let frame = lathe.frame;
         let mut rays = RayRow {
-            origin: frame.squashed(frame.point(rays.origin)),
+            origin: frame.point(rays.origin),
             origin_step: frame.squashed(rays.origin_step * frame.scale),
             direction: frame.squashed(rays.direction),
             direction_step: frame.squashed(rays.direction_step),

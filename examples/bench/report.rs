@@ -1,7 +1,7 @@
 //! The CSV.
 
 #[cfg(target_os = "none")]
-pub use cortex_m_semihosting::{hprint as print, hprintln as println};
+pub use semihosting::{print, println};
 #[cfg(not(target_os = "none"))]
 pub use std::{print, println};
 

@@ -3,7 +3,6 @@
 use crate::{bare::exit, host, panel::Panel, show};
 use cortex_m::{Peripherals, delay::Delay};
 use cortex_m_rt::entry;
-use cortex_m_semihosting::debug::{EXIT_FAILURE, EXIT_SUCCESS};
 
 core::arch::global_asm!(include_str!("memory.s"));
 
@@ -19,7 +18,7 @@ fn main() -> ! {
     if let (Some(name), Some(last)) = (words.next(), words.next()) {
         for n in 0..=number(last) {
             if show::draw(name, n, &mut panel).is_none() {
-                exit(EXIT_FAILURE);
+                exit(false);
             }
         }
         host::say(b"drawn\n");
@@ -37,7 +36,7 @@ fn main() -> ! {
             }
         }
     }
-    exit(EXIT_SUCCESS)
+    exit(true)
 }
 
 fn number(digits: &[u8]) -> u32 {

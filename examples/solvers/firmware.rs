@@ -6,7 +6,7 @@ use crate::workload::{COUNT, FAMILIES, Item, Make};
 use core::{arch::asm, hint::black_box};
 use cortex_m as _; // its critical section
 use cortex_m_rt::entry;
-use cortex_m_semihosting::{debug::EXIT_SUCCESS, hprintln};
+use semihosting::println;
 
 core::arch::global_asm!(include_str!("../bench/memory.s"));
 
@@ -18,7 +18,7 @@ fn main() -> ! {
             solves(contender.method, contender.backend, family, make, contender.first_root);
         }
     }
-    exit(EXIT_SUCCESS)
+    exit(true)
 }
 
 fn solves(method: &str, backend: &str, family: &str, make: Make, first_root: FirstRoot) {
@@ -33,5 +33,5 @@ fn solves(method: &str, backend: &str, family: &str, make: Make, first_root: Fir
         unsafe { asm!("isb", "mov r11, r11", "isb") };
         black_box(root);
     }
-    hprintln!("solver,{},{},{},{}", method, backend, family, COUNT);
+    println!("solver,{},{},{},{}", method, backend, family, COUNT);
 }

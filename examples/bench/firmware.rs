@@ -1,24 +1,22 @@
 //! The program: what is measured, a CSV line each, in the order of m4cycles' regions.
 
-use crate::{bare::exit, clock, frames, rays, region::measure, report, solvers};
+use crate::bare::{entry, exit};
+use crate::{clock, frames, rays, region::measure, report, solvers};
 use core::arch::asm;
-use cortex_m::Peripherals;
-use cortex_m_rt::entry;
 
+#[cfg(target_arch = "arm")]
 core::arch::global_asm!(include_str!("memory.s"));
 
 #[entry]
 fn main() -> ! {
-    if let Some(core) = Peripherals::take() {
-        clock::start(core.SYST);
-    }
-
+    clock::start();
     report::head();
     report::line("nothing", 1, 1, measure(|| ()).1);
     report::line("loop of 2001", 1, 1, measure(loop_of_2001).1);
     frames::measured();
     rays::measured();
     solvers::measured();
+    #[cfg(target_arch = "arm")]
     frames::stacks();
     exit(true)
 }
@@ -26,5 +24,13 @@ fn main() -> ! {
 /// As many instructions, to check the counting by.
 fn loop_of_2001() {
     // SAFETY: counts a register down.
-    unsafe { asm!("mov {n}, #1000", "2:", "subs {n}, #1", "bne 2b", n = out(reg) _) };
+    #[cfg(target_arch = "arm")]
+    unsafe {
+        asm!("2:", "subs {n}, #1", "bne 2b", n = inout(reg) 1000 => _)
+    };
+    // SAFETY: as above.
+    #[cfg(target_arch = "riscv32")]
+    unsafe {
+        asm!("2:", "addi {n}, {n}, -1", "bnez {n}, 2b", n = inout(reg) 1000 => _)
+    };
 }

@@ -2,30 +2,44 @@
 
 use crate::{region::measure, report::line, scenes, sink::Sink};
 use core::hint::black_box;
-use embedded_lathe::Scene;
-
-#[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
-mod display {
-    pub use embedded_graphics::pixelcolor::Rgb565 as Color;
-    pub const BLANK: Color = Color::new(0, 0, 0);
-    pub const WIDTH: u32 = 240;
-    pub const HEIGHT: u32 = 240;
-}
-
-/// The OLED demo's: without hardware for floats a frame takes ten times as long.
 #[cfg(all(not(target_abi = "eabihf"), target_os = "none"))]
-mod display {
-    pub use embedded_graphics::pixelcolor::Gray4 as Color;
-    pub const BLANK: Color = Color::new(0);
-    pub const WIDTH: u32 = 128;
-    pub const HEIGHT: u32 = 64;
+use embedded_graphics::pixelcolor::Gray4;
+use embedded_graphics::pixelcolor::{PixelColor, Rgb565};
+use embedded_lathe::{Paint, Scene};
+
+/// A display: its colors and its size.
+pub trait Panel {
+    type Color: PixelColor + Paint;
+    const WIDTH: u32;
+    const HEIGHT: u32;
+    const BLANK: Self::Color;
 }
 
-pub use display::{HEIGHT, WIDTH};
+/// A color TFT, 240×240.
+pub struct Tft;
 
-type Row = [display::Color; WIDTH as usize];
+impl Panel for Tft {
+    type Color = Rgb565;
+    const WIDTH: u32 = 240;
+    const HEIGHT: u32 = 240;
+    const BLANK: Rgb565 = Rgb565::new(0, 0, 0);
+}
 
-const BLANK: Row = [display::BLANK; WIDTH as usize];
+/// The panel that all is measured on.
+#[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
+pub use Tft as Usual;
+
+/// The panel that all is measured on, the OLED demo's: without hardware for floats a large frame takes ten times as long.
+#[cfg(all(not(target_abi = "eabihf"), target_os = "none"))]
+pub struct Usual;
+
+#[cfg(all(not(target_abi = "eabihf"), target_os = "none"))]
+impl Panel for Usual {
+    type Color = Gray4;
+    const WIDTH: u32 = 128;
+    const HEIGHT: u32 = 64;
+    const BLANK: Gray4 = Gray4::new(0);
+}
 
 const SCENES: [(&str, &Scene); 10] = [
     ("vase", &scenes::VASE_SCENE),
@@ -62,60 +76,79 @@ const SHAPES: [(&str, &Scene); 14] = {
     ]
 };
 
+/// On a large display as well, where floats are slow.
+#[cfg(all(not(target_abi = "eabihf"), target_os = "none"))]
+const LARGE: [(&str, &Scene); 3] = [
+    ("vase 240x240", &scenes::VASE_SCENE),
+    ("tilted vase 240x240", &scenes::TILTED_SCENE),
+    ("bowl 240x240", &scenes::BOWL_SCENE),
+];
+
+/// A row of pixels of a panel, or a longer one.
+type Row<P> = [<P as Panel>::Color; 240];
+
 /// Columns and rows of all pixels.
-pub fn pixels() -> impl Iterator<Item = (u32, u32)> {
-    (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y)))
+pub fn pixels<P: Panel>() -> impl Iterator<Item = (u32, u32)> {
+    (0..P::HEIGHT).flat_map(|y| (0..P::WIDTH).map(move |x| (x, y)))
 }
 
 /// By rows into one buffer; the vase drawn as well, with and without a buffer.
 pub fn measured() {
-    let mut row = BLANK;
+    let mut row = [Usual::BLANK; 240];
     for (name, scene) in SCENES {
-        frame(name, scene, || rows(scene, &mut row));
+        frame::<Usual>(name, scene, || rows::<Usual>(scene, &mut row));
     }
     #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
     for (name, scene) in SHAPES {
-        frame(name, scene, || rows(scene, &mut row));
+        frame::<Usual>(name, scene, || rows::<Usual>(scene, &mut row));
     }
-    frame("vase drawn by rows", &scenes::VASE_SCENE, || draw_by_rows(&scenes::VASE_SCENE, &mut row));
-    frame("vase drawn", &scenes::VASE_SCENE, || draw(&scenes::VASE_SCENE));
+    let vase = &scenes::VASE_SCENE;
+    frame::<Usual>("vase drawn by rows", vase, || draw_by_rows::<Usual>(vase, &mut row));
+    frame::<Usual>("vase drawn", vase, || draw::<Usual>(vase));
+    #[cfg(all(not(target_abi = "eabihf"), target_os = "none"))]
+    for (name, scene) in LARGE {
+        let mut row = [Tft::BLANK; 240];
+        frame::<Tft>(name, scene, || rows::<Tft>(scene, &mut row));
+    }
 }
 
 /// How much stack they take below their caller's.
-#[cfg(target_os = "none")]
+#[cfg(all(target_arch = "arm", target_os = "none"))]
 pub fn stacks() {
     use crate::stack::depth;
 
-    let mut row = BLANK;
+    let mut row = [Usual::BLANK; 240];
     for (name, scene) in SCENES {
-        let (rows, draw) = (depth(|| rows(scene, &mut row)), depth(|| draw(scene)));
+        let (rows, draw) = (depth(|| rows::<Usual>(scene, &mut row)), depth(|| draw::<Usual>(scene)));
         crate::report::println!("# {}: {} bytes of stack by rows, {} drawn", name, rows, draw);
     }
 }
 
-fn frame(name: &str, scene: &Scene, work: impl FnOnce()) {
+fn frame<P: Panel>(name: &str, scene: &Scene, work: impl FnOnce()) {
     let ((), instructions) = measure(work);
     let seen = |(x, y): &(u32, u32)| {
-        let ray = scene.camera.ray(*x, *y, WIDTH, HEIGHT);
+        let ray = scene.camera.ray(*x, *y, P::WIDTH, P::HEIGHT);
         scene.solids.iter().any(|solid| solid.nearest(&ray, 0.0).is_some())
     };
-    line(name, (WIDTH * HEIGHT).into(), pixels().filter(seen).count() as u64, instructions);
+    let hits = pixels::<P>().filter(seen).count() as u64;
+    line(name, (P::WIDTH * P::HEIGHT).into(), hits, instructions);
 }
 
 #[inline(never)]
-fn rows(scene: &Scene, row: &mut Row) {
-    let picture = black_box(scene).picture(WIDTH, HEIGHT);
-    for y in 0..HEIGHT {
-        picture.row(y, black_box(&mut row[..]));
+fn rows<P: Panel>(scene: &Scene, row: &mut Row<P>) {
+    let picture = black_box(scene).picture(P::WIDTH, P::HEIGHT);
+    for y in 0..P::HEIGHT {
+        picture.row(y, black_box(&mut row[..P::WIDTH as usize]));
     }
 }
 
 #[inline(never)]
-fn draw(scene: &Scene) {
-    let Ok(()) = black_box(scene).draw(&mut Sink::<display::Color>::new(WIDTH, HEIGHT));
+fn draw<P: Panel>(scene: &Scene) {
+    let Ok(()) = black_box(scene).draw(&mut Sink::<P::Color>::new(P::WIDTH, P::HEIGHT));
 }
 
 #[inline(never)]
-fn draw_by_rows(scene: &Scene, row: &mut Row) {
-    let Ok(()) = black_box(scene).draw_by_rows(&mut Sink::<display::Color>::new(WIDTH, HEIGHT), row);
+fn draw_by_rows<P: Panel>(scene: &Scene, row: &mut Row<P>) {
+    let row = &mut row[..P::WIDTH as usize];
+    let Ok(()) = black_box(scene).draw_by_rows(&mut Sink::<P::Color>::new(P::WIDTH, P::HEIGHT), row);
 }

@@ -4,9 +4,11 @@
 //! cargo run --release --features std --example bench                        the host, counted by valgrind: 240×240, Rgb565
 //! cargo run --release --target thumbv7em-none-eabihf --example bench        an emulated Cortex-M4F: the same
 //! cargo run --release --target thumbv7m-none-eabi    --example bench        Cortex-M3, soft float: 128×64, Gray4
+//! cargo run --release --target thumbv6m-none-eabi    --example bench        the code of a Cortex-M0+, on that Cortex-M3
+//! cargo run --release --target riscv32imc-unknown-none-elf --example bench  a RISC-V without floats: as on the Cortex-M3
 //! .ci/cycles                          the second, with cycles estimated as well
-//! .ci/record                          all three into docs/instructions.csv
-//! .ci/record --check                  all three against it
+//! .ci/record                          all into docs/instructions.csv
+//! .ci/record --check                  all against it
 //! ```
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
@@ -30,7 +32,7 @@ mod clock;
 mod firmware;
 #[cfg(target_os = "none")]
 mod region;
-#[cfg(target_os = "none")]
+#[cfg(all(target_arch = "arm", target_os = "none"))]
 mod stack;
 
 #[cfg(not(target_os = "none"))]

@@ -1,7 +1,7 @@
 //! Rays one by one, as if each were the only one: all those of the vase's frame.
 
 use crate::{
-    frames::{HEIGHT, WIDTH, pixels},
+    frames::{Panel, Usual, pixels},
     region::measure,
     report::line,
     scenes::{self, VASE_SCENE},
@@ -20,10 +20,12 @@ pub fn measured() {
 }
 
 fn rays(name: &str, alone: u64, meet: impl Fn(&Ray) -> Option<Hit>) -> u64 {
+    const WIDTH: u32 = Usual::WIDTH;
+    const HEIGHT: u32 = Usual::HEIGHT;
     let camera = &VASE_SCENE.camera;
     let (hits, instructions) = measure(|| {
         let hit = |(x, y)| black_box(meet(black_box(&camera.ray(x, y, WIDTH, HEIGHT)))).is_some();
-        pixels().map(hit).fold(0, |hits, hit| hits + u64::from(hit))
+        pixels::<Usual>().map(hit).fold(0, |hits, hit| hits + u64::from(hit))
     });
     line(name, (WIDTH * HEIGHT).into(), hits, instructions.saturating_sub(alone));
     instructions

@@ -1,9 +1,11 @@
-//! A stretch of the program that is measured: by the clock, and by m4cycles.c from outside.
+//! A stretch of the program that is measured: by the clock and, on a Cortex-M, by m4cycles.c from outside.
 
 use crate::clock;
-use core::{arch::asm, hint::black_box};
+#[cfg(target_arch = "arm")]
+use core::arch::asm;
+use core::hint::black_box;
 
-/// Runs `work` between m4cycles' two marks; with its result, the clock's instructions.
+/// Runs `work`, on a Cortex-M between m4cycles' two marks; with its result, the clock's instructions.
 ///
 /// QEMU counts by blocks, and each `isb` ends one: so m4cycles sees `work` and just 3 instructions more,
 /// the clock at most 80 more or fewer. Aligned, for QEMU forgets the plugin at an `isb` that crosses a page.
@@ -11,9 +13,15 @@ use core::{arch::asm, hint::black_box};
 pub fn measure<T>(work: impl FnOnce() -> T) -> (T, u64) {
     let start = clock::instructions();
     // SAFETY: moving a register to itself and waiting for the pipeline change nothing.
-    unsafe { asm!(".p2align 3", "mov r10, r10", "isb") };
+    #[cfg(target_arch = "arm")]
+    unsafe {
+        asm!(".p2align 3", "mov r10, r10", "isb")
+    };
     let result = black_box(black_box(work)());
     // SAFETY: as above.
-    unsafe { asm!("isb", "mov r11, r11", "isb") };
+    #[cfg(target_arch = "arm")]
+    unsafe {
+        asm!("isb", "mov r11, r11", "isb")
+    };
     (result, clock::instructions() - start)
 }

@@ -1,5 +1,6 @@
 //! A camera: it turns the columns and rows of a picture into rays.
 
+use crate::math::const_fn;
 use crate::ray::Ray;
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, array, cross, difference, dot, one_norm, scale, unit, vector};
@@ -40,6 +41,9 @@ pub(crate) enum Projection {
     Orthographic,
 }
 
+/// The least and the largest half-width of an orthographic camera.
+const ORTHOGRAPHIC: [f32; 2] = [1e-15, 1e15];
+
 impl Camera {
     /// A camera whose rays start at `eye`. `half_width` is half the width of the picture at unit distance
     /// from the eye: the tangent of half the horizontal angle of view.
@@ -72,7 +76,17 @@ impl Camera {
         up: [f32; 3],
         half_width: f32,
     ) -> Result<Self, SceneError> {
-        Self::new([eye, look_at, up], half_width, [1e-15, 1e15], Projection::Orthographic)
+        Self::new([eye, look_at, up], half_width, ORTHOGRAPHIC, Projection::Orthographic)
+    }
+
+    /// An orthographic camera with its half-width times `factor`.
+    pub(crate) const fn widened(self, factor: f32) -> Result<Self, SceneError> {
+        let half_width = factor * const_fn::sqrt(dot(self.right, self.right));
+        let [least, most] = ORTHOGRAPHIC;
+        if !(half_width >= least && half_width <= most) {
+            return Err(SceneError::HalfWidth { half_width, least, most });
+        }
+        Ok(Self { right: scale(self.right, factor), up: scale(self.up, factor), ..self })
     }
 
     /// A camera of either kind; `least` and `most` are the limits of its half-width.
@@ -148,6 +162,37 @@ impl Camera {
     #[must_use]
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
         self.ray_through([x as f32, y as f32], width, height)
+    }
+
+    /// Where a point of the world is seen in a picture of the given size in pixels: the column and the row, as
+    /// fractions, counted as [`Camera::ray`] counts them, so that the centre of a pixel is at whole numbers.
+    /// They may lie outside the picture. Solids that hide the point are not looked at.
+    ///
+    /// `None` if the point is behind the camera or in the plane through the eye, if it is not finite, or if
+    /// the picture is 0 pixels wide.
+    ///
+    /// ```
+    /// use embedded_lathe::{Camera, valid};
+    ///
+    /// const FRONT: Camera = valid!(Camera::perspective([0.0, -2.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 0.5));
+    /// assert_eq!(FRONT.project([0.0; 3], 240, 240), Some([119.5, 119.5]));
+    /// assert_eq!(FRONT.project([1.0, 0.0, 0.5], 240, 240), Some([239.5, 59.5]));
+    /// assert_eq!(FRONT.project([0.0, -3.0, 0.0], 240, 240), None);
+    /// ```
+    #[must_use]
+    pub const fn project(&self, point: [f32; 3], width: u32, height: u32) -> Option<[f32; 2]> {
+        let to_point = difference(vector(point), self.eye);
+        let depth = dot(to_point, self.forward);
+        let square = dot(self.right, self.right) * if self.is_perspective() { depth } else { 1.0 };
+        let half_pixels = 0.5 * width as f32 / square;
+        let x = dot(to_point, self.right) * half_pixels + (0.5 * width as f32 - 0.5);
+        let y = (0.5 * height as f32 - 0.5) - dot(to_point, self.up) * half_pixels;
+        if depth > 0.0 && width > 0 && x.is_finite() && y.is_finite() { Some([x, y]) } else { None }
+    }
+
+    /// Whether the rays meet in the eye.
+    pub(crate) const fn is_perspective(&self) -> bool {
+        matches!(self.projection, Projection::Perspective)
     }
 
     /// Does what [`Camera::ray`] does, for a column and a row that may be fractions and negative.

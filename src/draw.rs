@@ -1,17 +1,24 @@
 //! Drawing onto displays: the only module that uses the drawing traits of embedded-graphics.
 
+mod covered;
 mod dither;
 mod paint;
+mod placed;
 mod rgb888;
+
+pub use covered::Redraw;
+pub use placed::Placed;
 
 use crate::camera::Camera;
 use crate::color::{Paint, Rgb};
 use crate::occlusion::PaintOrder;
+use crate::pick::Pick;
 use crate::picture::{Picture, Pixels, RUN, Raster};
 use crate::ray::Ray;
 use crate::scene::Scene;
 use core::marker::PhantomData;
 use embedded_graphics_core::{
+    Drawable,
     draw_target::DrawTarget,
     geometry::{Dimensions, OriginDimensions, Point, Size},
     image::ImageDrawable,
@@ -47,6 +54,11 @@ impl<'a> Scene<'a> {
     /// Draws the scene over the whole display, in one call of
     /// [`fill_contiguous`](DrawTarget::fill_contiguous). The pixels are computed as the display takes them,
     /// 40 at a time at most. No framebuffer is needed.
+    ///
+    /// It fills the target's bounding box, as `clear` does, so the picture has the size of that box. What
+    /// embedded-graphics makes of a display has a box of its own: that of `translated` is still the whole
+    /// display, so the scene is not moved; that of `clipped` and of `cropped` is their rectangle, so the whole
+    /// scene is drawn smaller, into it. [`Picture::at`] draws a picture of a given size at a given place.
     ///
     /// If there is memory for a row of pixels, [`Scene::draw_by_rows`] is faster: with a single solid it
     /// takes less than half the time. On a display of 2³² pixels or more `draw` draws no pixel and returns
@@ -90,6 +102,44 @@ impl<'a> Scene<'a> {
         D: DrawTarget<Color: Paint>,
     {
         if row.is_empty() { self.draw(display) } else { self.draw_through(display, row) }
+    }
+
+    /// Which solid lies under a pixel of a picture of the given size: the first that the pixel's ray hits.
+    /// `None` if it hits none, if the pixel lies outside the picture, or if the picture has no pixels.
+    ///
+    /// For a touch screen that shows the picture elsewhere than in its upper left corner there is
+    /// [`Placed::pick`]. It costs a ray against each solid, less than a row of pixels.
+    ///
+    /// ```
+    /// use embedded_graphics::prelude::*;
+    /// use embedded_lathe::*;
+    ///
+    /// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(0.5)));
+    /// const fn ball(x: f32) -> Result<Solid<'static>, SceneError> {
+    ///     match Pose::new([x, 0.0, 0.0], Rotation::IDENTITY, 1.0) {
+    ///         Ok(pose) => Ok(Solid::new(&BALL, Rgb::WHITE).posed(pose)),
+    ///         Err(error) => Err(error),
+    ///     }
+    /// }
+    /// static BUTTONS: Scene = Scene::new(
+    ///     &[valid!(ball(-0.6)), valid!(ball(0.6))],
+    ///     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+    ///     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+    /// );
+    ///
+    /// let screen = Size::new(240, 240);
+    /// let pick = BUTTONS.pick(Point::new(180, 120), screen).unwrap();
+    /// assert_eq!(pick.solid, 1);
+    /// let ray = BUTTONS.camera.ray_at(Point::new(180, 120), screen);
+    /// let [x, _, _] = BUTTONS.solids[pick.solid].surface(&ray, &pick.hit).point;
+    /// assert!((x - 0.6).abs() < 0.01);
+    /// assert_eq!(BUTTONS.pick(Point::new(120, 120), screen), None);
+    /// ```
+    #[must_use]
+    pub fn pick(&self, pixel: Point, picture: Size) -> Option<Pick> {
+        let (x, y) = (u32::try_from(pixel.x).ok()?, u32::try_from(pixel.y).ok()?);
+        let Size { width, height } = picture;
+        if x < width && y < height { self.nearest(&self.camera.ray(x, y, width, height), 0.0) } else { None }
     }
 
     /// Draws the scene over the whole display, and computes as many pixels at once as fit into `run`, up to a
@@ -140,7 +190,8 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// A [`Picture`] in the colors of a display: an [`ImageDrawable`].
+/// A [`Picture`] in the colors of a display: an [`ImageDrawable`]. Of one with more than 2³¹ − 1 columns or rows
+/// so many are drawn: those that embedded-graphics can number.
 ///
 /// Made by [`Picture::image`], where there is an example.
 #[derive(Clone, Copy, Debug)]
@@ -152,7 +203,8 @@ pub struct PictureImage<'a, C> {
 
 impl<C> OriginDimensions for PictureImage<'_, C> {
     fn size(&self) -> Size {
-        Size::new(self.picture.width(), self.picture.height())
+        const MOST: u32 = i32::MAX as u32;
+        Size::new(self.picture.width().min(MOST), self.picture.height().min(MOST))
     }
 }
 
@@ -168,12 +220,9 @@ impl<C: Paint + PixelColor> ImageDrawable for PictureImage<'_, C> {
         target: &mut D,
         area: &Rectangle,
     ) -> Result<(), D::Error> {
-        let area = self.bounding_box().intersection(area);
-        let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
-        // The intersection lies inside the picture, so x and y are not negative.
-        match Pixels::new(&self.picture.raster(), (x as u32, y as u32), (width, height), &mut blank()) {
-            Some(pixels) => target.fill_contiguous(&Rectangle::new(Point::zero(), area.size), pixels),
-            None => Ok(()),
-        }
+        // The upper left corner of what lies inside the picture is drawn at the origin.
+        let part = self.picture.at(Point::zero()).only(area);
+        let Point { x, y } = part.bounding_box().top_left;
+        part.translate(Point::new(-x, -y)).draw(target)
     }
 }

@@ -20,11 +20,12 @@
 //! ray begins, and changes at crossings only. So rounding can move a crossing to the other side of the plane
 //! between two segments, but not lose it there.
 //!
-//! The files are in three groups:
+//! The files are in four groups:
 //!
 //! | where | what |
 //! |---|---|
 //! | `frame.rs`, `segment.rs` | what a lathe is made of: one frame, and segments, with their bounds |
+//! | `side.rs` | on which side of a plane a lathe lies |
 //! | `ray/` | one ray: the fast path, the traversal, and the queries that use them |
 //! | `row/` | the rays of a row of pixels together: a sweep, and the spans of pixels that it finds |
 
@@ -32,6 +33,7 @@ mod frame;
 mod ray;
 mod row;
 mod segment;
+mod side;
 
 pub(crate) use row::{RayRow, RowPart, Seen, Span, Sweep};
 pub use segment::Segment;

@@ -42,7 +42,8 @@
 //!
 //! ```text
 //! message → valid → math → vector → cubic → bernstein → solve → profile → ray → hit → lathe → surface → color
-//!      → scene_error → light → camera → pose → sheet → solid → shade → scene → occlusion → picture → draw
+//!      → scene_error → light → camera → pose → sheet → solid → extent → shade → scene → pick → occlusion
+//!      → framing → picture → draw
 //! ```
 //!
 //! | stage | from | to |
@@ -52,8 +53,10 @@
 //! | [`Cubic`], [`Bernstein`], [`solve`] | a cubic, an interval | the first root, or all of them |
 //! | [`Surface`] | a hit | its point and normal, for what is seen |
 //! | [`Solid`], [`Sheet`], [`Pose`], [`Light`], [`Camera`], [`Background`] | | what a [`Scene`] is made of |
-//! | [`Picture`] | a scene, a size | rows of pixels, one at a time |
-//! | [`Scene::draw`], [`PictureImage`] | a scene | a `DrawTarget` of embedded-graphics |
+//! | [`Camera::project`], [`Camera::framing`] | a point, solids | the pixel that shows it, a camera that sees them |
+//! | [`Pick`] | a ray, a pixel | the solid that is hit first |
+//! | [`Picture`] | a scene, a size | rows of pixels, one at a time; the rectangle that solids cover |
+//! | [`Picture::at`], [`Scene::draw`], [`PictureImage`] | a picture, a scene | a `DrawTarget` of embedded-graphics |
 //!
 //! # How it is called
 //!
@@ -153,11 +156,14 @@ mod camera;
 mod color;
 mod cubic;
 mod draw;
+mod extent;
+mod framing;
 mod hit;
 mod lathe;
 mod light;
 mod message;
 mod occlusion;
+mod pick;
 mod picture;
 mod pose;
 mod profile;
@@ -175,10 +181,11 @@ pub use bernstein::Bernstein;
 pub use camera::Camera;
 pub use color::{Background, Paint, Rgb, Shades};
 pub use cubic::Cubic;
-pub use draw::PictureImage;
+pub use draw::{PictureImage, Placed, Redraw};
 pub use hit::{Hit, Part};
 pub use lathe::{Lathe, Segment};
 pub use light::Light;
+pub use pick::Pick;
 pub use picture::Picture;
 pub use pose::{Pose, Rotation};
 pub use profile::{End, Profile, ProfileError};

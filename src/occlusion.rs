@@ -128,7 +128,7 @@ impl Solid<'_> {
     /// The support function of the cylinder around the solid: how far the cylinder extends from its center in
     /// direction n, times the length of n. Infinite or NaN if the square of n overflows.
     #[inline(never)]
-    const fn support(&self, n: F32x3) -> f32 {
+    pub(crate) const fn support(&self, n: F32x3) -> f32 {
         let along = dot(n, self.axis());
         let across = difference(n, scale(self.axis(), along));
         self.half_height() * along.abs() + self.radius() * length(across)

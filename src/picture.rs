@@ -12,6 +12,7 @@ pub(crate) use raster::{RUN, Raster};
 
 use crate::color::Paint;
 use crate::occlusion::PaintOrder;
+use crate::pick::Pick;
 use crate::scene::Scene;
 
 /// A scene and the size of its picture in pixels. Rows are computed when they are asked for.
@@ -69,6 +70,14 @@ impl Picture<'_> {
         self.height
     }
 
+    /// Which solid the pixel in column x of row y shows, and where its ray hits it; `None` if it shows none, or
+    /// if the picture has no columns.
+    #[must_use]
+    pub fn pick(&self, x: u32, y: u32) -> Option<Pick> {
+        let ray = self.scene.camera.ray(x, y, self.width, self.height);
+        if self.width == 0 { None } else { self.scene.nearest(&ray, 0.0) }
+    }
+
     /// Writes the pixels of row y, counted from the top, into `row` from its start: as many as the picture is
     /// wide, or as `row` is long. What `row` has beyond the picture's width stays as it is.
     ///
@@ -88,6 +97,12 @@ impl Picture<'_> {
     /// more rays are cast one by one, it is one of 1000 at most.
     pub fn part_of_row<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         self.raster().part_of_row(x, y, part);
+    }
+
+    /// The scene that it shows.
+    #[must_use]
+    pub const fn scene(&self) -> &Scene<'_> {
+        &self.scene
     }
 
     /// What the picture's rows are computed from, by reference.

@@ -7,9 +7,9 @@ mod steps;
 mod through;
 
 pub use error::ProfileError;
+pub(crate) use extremes::Extremes;
 
 use crate::math::const_fn;
-use extremes::Extremes;
 use steps::{Counts, is_step};
 
 /// One cubic piece of a profile: at the height `z + (top − z)·u`, for u from 0 to 1, the squared radius is `Σ

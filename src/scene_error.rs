@@ -80,6 +80,20 @@ pub enum SceneError {
         /// The most that such a camera may have.
         most: f32,
     },
+    /// A camera is to frame no solids, or a picture without pixels.
+    NothingToFrame {
+        /// How many solids there are.
+        solids: usize,
+        /// The width of the picture in pixels.
+        width: u32,
+        /// Its height in pixels.
+        height: u32,
+    },
+    /// A camera is to frame a solid that is endless: a sheet, whose squash is zero.
+    Endless {
+        /// The index of the solid.
+        solid: usize,
+    },
     /// A light's direction is zero, or a component of it infinite or NaN.
     LightDirection {
         /// The direction given.
@@ -168,6 +182,19 @@ impl SceneError {
                 Number(most),
                 Text(", and is "),
                 Number(half_width),
+            ]),
+            Self::NothingToFrame { solids, width, height } => Message::of([
+                Text("a camera must frame one solid or more in one pixel or more, not "),
+                Count(solids),
+                Text(" in "),
+                Count(width as usize),
+                Text("×"),
+                Count(height as usize),
+            ]),
+            Self::Endless { solid } => Message::of([
+                Text("a camera cannot frame an endless solid, and solid "),
+                Count(solid),
+                Text(" is one"),
             ]),
             Self::LightDirection { towards } => Message::of([
                 Text("the light's direction must be finite and not zero, and is "),

@@ -220,24 +220,30 @@ impl<'a> Solid<'a> {
     /// The sheet that was hit.
     #[must_use]
     pub fn sheet_of(&self, hit: &Hit) -> &Sheet<'a> {
+        self.located(hit).1
+    }
+
+    /// The number of the sheet that was hit, as [`Solid::sheets`] lists them: 0 for a solid that is no body.
+    #[must_use]
+    pub fn sheet_number(&self, hit: &Hit) -> usize {
         self.located(hit).0
     }
 
-    /// The sheet that was hit, and the hit with that sheet's own number of the segment.
-    fn located(&self, hit: &Hit) -> (&Sheet<'a>, Hit) {
-        let (mut sheet, mut segment) = (&self.first, hit.segment);
+    /// The number of the sheet that was hit, the sheet, and the hit with that sheet's own number of the segment.
+    fn located(&self, hit: &Hit) -> (usize, &Sheet<'a>, Hit) {
+        let (mut number, mut sheet, mut segment) = (0, &self.first, hit.segment);
         for next in self.rest {
             let Some(after) = segment.checked_sub(sheet.lathe().segments()) else { break };
-            (sheet, segment) = (next, after);
+            (number, sheet, segment) = (number + 1, next, after);
         }
-        (sheet, Hit { segment, ..*hit })
+        (number, sheet, Hit { segment, ..*hit })
     }
 
     /// The point and the normal of a hit, in the world, as [`Lathe::surface`]: the normal points out of the
     /// material.
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        let (sheet, hit) = self.located(hit);
+        let (_, sheet, hit) = self.located(hit);
         let normal = self.pose.rotation.turn(sheet.lathe().normal(&self.ray_into(ray), &hit));
         let normal = if sheet.is_inner() { normal * -1.0 } else { normal };
         Surface { point: ray.at(hit.t), normal: array(normal) }

@@ -9,7 +9,7 @@ use crate::vector::{F32x3, array, cross, dot, finite, scale, sum_scaled, to_one,
 /// The angle may be from −10 000 to 10 000. There the spacing of f32 numbers is already 0.001, so that a
 /// larger angle would be too inexact. For an angle outside the limits, or NaN, [`Rotation::about`] returns an
 /// error. `about_x`, `about_y` and `about_z` return no `Result`: from such an angle they make a matrix that
-/// contains NaN, for which [`Pose::new`] returns [`SceneError::Rotation`].
+/// contains NaN, for which [`Pose::new`](super::Pose::new) returns [`SceneError::Rotation`].
 ///
 /// All constructors are `const`, and compute the same bits at compile time and at run time.
 ///

@@ -1,7 +1,7 @@
 use crate::math::{UNIT_ROUNDOFF, const_fn};
 
 /// The least and the largest value of a cubic over [0, 1].
-pub(super) struct Extremes {
+pub(crate) struct Extremes {
     /// The least value. It is zero if both ends are not negative and the least value is negative by no more
     /// than rounding errors.
     pub least: f32,

@@ -1,6 +1,6 @@
 //! Solids and cameras at random.
 
-use embedded_lathe::{Camera, End, Lathe, Profile, Rotation, Segment};
+use embedded_lathe::{Camera, End, Lathe, Pose, Profile, Rgb, Rotation, Segment, Solid};
 use rand::RngExt;
 use rand::rngs::ChaCha8Rng;
 
@@ -87,4 +87,22 @@ pub fn upright_camera(rng: &mut ChaCha8Rng) -> Camera {
             return camera;
         }
     }
+}
+
+/// One to three lathes, for [`posed`].
+#[allow(dead_code)]
+pub fn random_lathes(rng: &mut ChaCha8Rng) -> Vec<Lathe<[Segment; 8]>> {
+    (0..rng.random_range(1..=3)).map(|_| random_lathe(rng)).collect()
+}
+
+/// The lathes as solids, each turned, of another size and color, about the origin.
+#[allow(dead_code)]
+pub fn posed<'a>(rng: &mut ChaCha8Rng, lathes: &'a [Lathe<[Segment; 8]>]) -> Vec<Solid<'a>> {
+    let colors = [Rgb::new(1.0, 0.2, 0.1), Rgb::new(0.2, 0.9, 0.3), Rgb::new(0.3, 0.4, 1.0)];
+    let mut pose = || {
+        let turn = Rotation::about_x(even(rng, -3.0, 3.0)).then(Rotation::about_z(even(rng, -3.0, 3.0)));
+        let place = [(); 3].map(|()| even(rng, -0.7, 0.7));
+        Pose::new(place, turn, even(rng, 0.2, 1.0)).unwrap()
+    };
+    lathes.iter().zip(colors).map(|(lathe, color)| Solid::new(lathe, color).posed(pose())).collect()
 }

@@ -1,0 +1,347 @@
+//! Pictures at a place of a display: every pixel that is promised is drawn and no other, whatever embedded-graphics makes of
+//! the display; only what changed is drawn again. All through a display that records every call.
+
+#[path = "../examples/scenes/mod.rs"]
+#[allow(dead_code)]
+mod scenes;
+
+#[allow(dead_code)]
+mod random;
+mod recorder;
+
+use embedded_graphics::draw_target::DrawTargetExt;
+use embedded_graphics::image::{Image, ImageDrawableExt};
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use embedded_lathe::{Picture, Placed, Pose, Redraw, Rotation, Scene, Solid};
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+use recorder::Recorder;
+
+fn area(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
+    Rectangle::new(Point::new(x, y), Size::new(width, height))
+}
+
+/// The columns and rows of a rectangle.
+fn points(area: &Rectangle) -> Vec<(i32, i32)> {
+    area.points().map(|Point { x, y }| (x, y)).collect()
+}
+
+/// The picture computed row by row.
+fn whole(picture: &Picture) -> Vec<Rgb565> {
+    let mut pixels = vec![Rgb565::BLACK; (picture.width() * picture.height()) as usize];
+    for (y, row) in pixels.chunks_mut(picture.width() as usize).enumerate() {
+        picture.row(y as u32, row);
+    }
+    pixels
+}
+
+/// Pixels compared with those cut out of whole rows. They may differ by one step where rounding decides.
+#[derive(Default)]
+struct Compared {
+    pixels: usize,
+    differ: usize,
+}
+
+impl Compared {
+    fn add(&mut self, found: Rgb565, truth: Rgb565, what: &str) {
+        self.pixels += 1;
+        self.differ += usize::from(found != truth);
+        for (a, b) in [(found.r(), truth.r()), (found.g(), truth.g()), (found.b(), truth.b())] {
+            assert!(a.abs_diff(b) <= 1, "{what}: {found:?}, not {truth:?}");
+        }
+    }
+
+    /// As `Picture::part_of_row` promises.
+    fn assert_few(&self) {
+        assert!(
+            self.pixels > 10_000 && self.differ * 1_000 <= self.pixels,
+            "{} of {}",
+            self.differ,
+            self.pixels
+        );
+    }
+}
+
+/// That the display shows in `area`, and nowhere else, the picture whose column 0 of row 0 is at `position`, and that each
+/// pixel was written once.
+fn shows(
+    display: &Recorder,
+    picture: &Picture,
+    position: Point,
+    area: &Rectangle,
+    compared: &mut Compared,
+    what: &str,
+) {
+    assert_eq!(display.written, points(area), "{what}");
+    let whole = whole(picture);
+    for (x, y) in points(area) {
+        let (column, row) = (x - position.x, y - position.y);
+        let truth = whole[row as usize * picture.width() as usize + column as usize];
+        compared.add(display.at(x, y).unwrap(), truth, what);
+    }
+}
+
+/// The reference scenes and random ones, at places inside the display, over each of its edges, and outside.
+#[test]
+fn a_picture_is_drawn_where_it_is_put() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let mut compared = Compared::default();
+    let mut outside = 0;
+    let mut check = |scene: &Scene, rng: &mut ChaCha8Rng, what: &str| {
+        let picture = scene.picture(rng.random_range(1..70), rng.random_range(1..60));
+        let position = Point::new(rng.random_range(-60..70), rng.random_range(-50..60));
+        let screen = area(rng.random_range(-5..5), rng.random_range(-5..5), 64, 48);
+        let all = Rectangle::new(position, Size::new(picture.width(), picture.height()));
+        let placed: Placed<Rgb565> = picture.at(position);
+        assert_eq!((placed.bounding_box(), placed.position()), (all, position));
+        let mut room = vec![Rgb565::BLACK; rng.random_range(0..80)];
+        let mut draw = |placed: &Placed<Rgb565>, within: Rectangle, what: &str| {
+            let seen = within.intersection(&screen);
+            for by_rows in [false, true] {
+                let mut display = Recorder::new(screen);
+                if by_rows {
+                    placed.draw_by_rows(&mut display, &mut room).unwrap();
+                } else {
+                    placed.draw(&mut display).unwrap();
+                }
+                assert!(
+                    display.calls.len() == usize::from(!seen.is_zero_sized()),
+                    "{what}: {:?}",
+                    display.calls
+                );
+                if !seen.is_zero_sized() {
+                    shows(&display, &picture, position, &seen, &mut compared, what);
+                }
+            }
+            outside += usize::from(seen.is_zero_sized());
+        };
+        draw(&placed, all, what);
+        let part = area(
+            rng.random_range(-9..60),
+            rng.random_range(-9..40),
+            rng.random_range(0..40),
+            rng.random_range(0..40),
+        );
+        draw(&placed.only(&part), all.intersection(&part), &format!("{what}, only {part:?}"));
+        let (top, bottom) = (rng.random_range(0..70), rng.random_range(0..70));
+        let height = bottom.min(picture.height()).saturating_sub(top);
+        let band = Rectangle::new(position + Point::new(0, top as i32), Size::new(picture.width(), height));
+        draw(&placed.rows(top..bottom), band, &format!("{what}, rows {top} to {bottom}"));
+        let by = Point::new(rng.random_range(-9..9), rng.random_range(-9..9));
+        let moved = *placed.clone().translate_mut(by);
+        assert_eq!((moved, moved.bounding_box()), (placed.translate(by), all.translate(by)));
+        assert_eq!(moved.translate(-by), placed);
+    };
+    for (name, scene) in scenes::NAMED {
+        (0..4).for_each(|_| check(scene, &mut rng, name));
+    }
+    for case in 0..200 {
+        let lathes = random::random_lathes(&mut rng);
+        let solids = random::posed(&mut rng, &lathes);
+        let scene = Scene::new(&solids, random::random_camera(&mut rng), scenes::DAYLIGHT)
+            .with_background(scenes::SKY);
+        check(&scene, &mut rng, &format!("case {case}"));
+    }
+    println!("{} of {} pixels differ by a step; {outside} lay outside", compared.differ, compared.pixels);
+    compared.assert_few();
+    assert!(outside > 20);
+}
+
+/// `translated` moves it, `clipped` and `cropped` cut it: that of a picture, and that of its `Image`.
+#[test]
+fn a_picture_is_moved_and_cut_as_every_drawable() {
+    let mut compared = Compared::default();
+    let position = Point::new(11, -7);
+    for (name, scene) in scenes::NAMED {
+        let picture = scene.picture(50, 40);
+        let placed: Placed<Rgb565> = picture.at(position);
+        let picture_image = picture.image::<Rgb565>();
+        let image = Image::new(&picture_image, position);
+        let box_of = |position| Rectangle::new(position, Size::new(50, 40));
+        let (screen, window) = (area(0, 0, 60, 50), area(5, 4, 30, 20));
+        let by = Point::new(-20, 9);
+        for is_image in [false, true] {
+            macro_rules! draw {
+                ($target:expr) => {
+                    if is_image { image.draw($target) } else { placed.draw($target) }.unwrap()
+                };
+            }
+            let mut check = |display: &Recorder, position: Point, cut: &Rectangle, what: &str| {
+                let seen = box_of(position).intersection(&screen).intersection(cut);
+                assert!(!seen.is_zero_sized());
+                shows(display, &picture, position, &seen, &mut compared, &format!("{name}, {what}"));
+            };
+            let mut display = Recorder::new(screen);
+            draw!(&mut display.translated(by));
+            check(&display, position + by, &screen, "translated");
+            let mut display = Recorder::new(screen);
+            draw!(&mut display.clipped(&window));
+            check(&display, position, &window, "clipped");
+            let mut display = Recorder::new(screen);
+            draw!(&mut display.cropped(&window));
+            check(&display, position + window.top_left, &window, "cropped");
+        }
+        // A part of an image, at a place of its own.
+        let part = area(13, 9, 17, 21);
+        let mut display = Recorder::new(screen);
+        Image::new(&picture_image.sub_image(&part), Point::new(4, 4)).draw(&mut display).unwrap();
+        shows(&display, &picture, Point::new(4, 4) - part.top_left, &area(4, 4, 17, 21), &mut compared, name);
+    }
+    compared.assert_few();
+}
+
+/// `Scene::draw` fills the bounding box of whatever it is given, as `clear` does.
+#[test]
+fn a_scene_fills_the_bounding_box() {
+    let scene = &scenes::VASE_SCENE;
+    let mut compared = Compared::default();
+    let (screen, window) = (area(0, 0, 120, 90), area(15, 14, 60, 50));
+    let mut display = Recorder::new(screen);
+    scene.draw(&mut display.translated(Point::new(7, 5))).unwrap();
+    shows(&display, &scene.picture(120, 90), Point::zero(), &screen, &mut compared, "translated");
+    for is_clipped in [true, false] {
+        let mut display = Recorder::new(screen);
+        if is_clipped {
+            scene.draw(&mut display.clipped(&window)).unwrap();
+        } else {
+            scene.draw(&mut display.cropped(&window)).unwrap();
+        }
+        shows(&display, &scene.picture(60, 50), window.top_left, &window, &mut compared, "cut");
+    }
+    compared.assert_few();
+}
+
+/// Pictures of any size, at any place: what the display has room for is drawn, and it is the right part.
+#[test]
+fn a_picture_of_any_size_is_cut_to_the_display() {
+    let scene = &scenes::VASE_SCENE;
+    let sizes = [1, 40, 1 << 20, 1 << 31, u32::MAX];
+    let places = [i32::MIN, -(1 << 30), -500_000, -3, 0, 5, i32::MAX - 2, i32::MAX];
+    let mut drawn = 0;
+    for (width, height) in sizes.into_iter().flat_map(|width| sizes.map(|height| (width, height))) {
+        let picture = scene.picture(width, height);
+        for (x, y) in places.into_iter().flat_map(|x| places.map(|y| (x, y))) {
+            let placed: Placed<Rgb565> = picture.at(Point::new(x, y));
+            let mut display = Recorder::of_size(8, 6);
+            placed.draw(&mut display).unwrap();
+            for (column, row) in points(&area(0, 0, 8, 6)) {
+                let [i, j] = [(column, x), (row, y)].map(|(at, from)| i64::from(at) - i64::from(from));
+                let is_within = (0..i64::from(width)).contains(&i) && (0..i64::from(height)).contains(&j);
+                assert_eq!(display.at(column, row).is_some(), is_within, "{width}×{height} at {x}, {y}");
+                drawn += usize::from(is_within);
+            }
+            if let Some(&(left, top)) = display.written.first() {
+                let first = display.calls[0];
+                let [i, j] = [(left, x), (top, y)].map(|(at, from)| (i64::from(at) - i64::from(from)) as u32);
+                let mut row = vec![Rgb565::BLACK; first.size.width as usize];
+                picture.part_of_row(i, j, &mut row);
+                let found: Vec<_> =
+                    (0..row.len()).map(|at| display.at(left + at as i32, top).unwrap()).collect();
+                assert_eq!(found, row, "{width}×{height} at {x}, {y}");
+            }
+            // What embedded-graphics computes with the box does not overflow.
+            let bounds = placed.bounding_box();
+            assert!(bounds.bottom_right().is_none_or(|last| last.x >= bounds.top_left.x));
+            let _ = (
+                placed.covered().bottom_right(),
+                placed.rows(0..u32::MAX),
+                placed.only(&area(x, y, u32::MAX, u32::MAX)),
+            );
+            assert_eq!(
+                placed.translate(Point::new(i32::MAX, i32::MIN)).position().y,
+                y.saturating_add(i32::MIN)
+            );
+        }
+        let image = picture.image::<Rgb565>();
+        let mut display = Recorder::of_size(8, 6);
+        Image::new(&image, Point::new(-3, 2)).draw(&mut display).unwrap();
+        assert_eq!(display.at(0, 2).is_some(), width > 3);
+    }
+    assert!(drawn > 5_000, "{drawn}");
+}
+
+/// The display's own error, wherever it is raised, and no pixel after it.
+#[test]
+fn an_error_in_the_middle_is_returned() {
+    let picture = scenes::STILL_LIFE.picture(30, 20);
+    let all = 30 * 20;
+    for after in (0..all).step_by(37).chain([all - 1, all]) {
+        let mut display = Recorder::of_size(40, 30).failing_after(after);
+        let result = picture.at(Point::new(3, 4)).draw(&mut display);
+        assert_eq!(result, if after < all { Err("cable") } else { Ok(()) }, "{after}");
+        assert_eq!(display.written.len(), after);
+    }
+}
+
+/// A ball that moves in front of a vase, drawn by its rectangle alone: the display shows what whole frames show.
+#[test]
+fn only_what_changed_is_drawn_again() {
+    let (width, height) = (80, 60);
+    let position = Point::new(9, 6);
+    let screen = area(0, 0, 100, 70);
+    let mut compared = Compared::default();
+    let mut display = Recorder::new(screen);
+    let mut redraw = Redraw::new(Rectangle::new(position, Size::new(width, height)));
+    let mut drawn = 0;
+    for frame in 0..40 {
+        let angle = 0.17 * frame as f32;
+        // It leaves the picture at the right, and comes back.
+        let place = [0.9 + angle.cos(), angle.sin() - 0.6, 0.5];
+        let ball =
+            Solid::new(&scenes::BALL, scenes::CLAY).posed(Pose::new(place, Rotation::IDENTITY, 0.8).unwrap());
+        let solids = [scenes::VASE_SCENE.solids[0], ball];
+        let scene = scenes::VASE_SCENE.with_solids(&solids).with_background(scenes::SKY);
+        let picture = scene.picture(width, height);
+        let now = picture.covered_by(&ball).translate(position);
+        let changed =
+            if now.size == Size::zero() { redraw.next(Rectangle::zero()) } else { redraw.next(now) };
+        display.next_frame();
+        picture.at(position).only(&changed).draw(&mut display).unwrap();
+        assert_eq!(
+            display.written,
+            points(&changed.intersection(&Rectangle::new(position, Size::new(width, height))))
+        );
+        drawn += display.written.len();
+        for (i, truth) in whole(&picture).into_iter().enumerate() {
+            let (x, y) = ((i % width as usize) as i32, (i / width as usize) as i32);
+            compared.add(
+                display.at(x + position.x, y + position.y).unwrap(),
+                truth,
+                &format!("frame {frame}"),
+            );
+        }
+    }
+    compared.assert_few();
+    assert!(drawn < 40 * 80 * 60 / 4, "{drawn}");
+}
+
+/// The union of two frames' rectangles, of which either may have no pixels.
+#[test]
+fn a_frame_draws_what_it_and_the_last_one_cover() {
+    let mut rng = ChaCha8Rng::seed_from_u64(8);
+    let mut any = |_| {
+        area(rng.random_range(-9..9), rng.random_range(-9..9), rng.random_range(0..9), rng.random_range(0..9))
+    };
+    let mut last = area(0, 0, 20, 10);
+    let mut redraw = Redraw::new(last);
+    for case in 0..500 {
+        let now = any(case);
+        let both = redraw.next(now);
+        let held: Vec<_> = points(&last).into_iter().chain(points(&now)).collect();
+        let least = held.iter().fold(None, |least: Option<[i32; 4]>, &(x, y)| {
+            let [a, b, c, d] = least.unwrap_or([x, y, x, y]);
+            Some([a.min(x), b.min(y), c.max(x), d.max(y)])
+        });
+        match least {
+            Some([a, b, c, d]) => {
+                assert_eq!(both, Rectangle::with_corners(Point::new(a, b), Point::new(c, d)), "{case}")
+            }
+            None => assert!(both.is_zero_sized(), "{case}: {both:?}"),
+        }
+        last = now;
+    }
+    let (low, high) = (area(i32::MIN, 0, 1, 1), area(i32::MAX, 0, 1, 1));
+    assert_eq!(Redraw::new(low).next(high).size.width, u32::MAX);
+}

@@ -1,5 +1,6 @@
 //! Drawing onto displays: the only module that uses the drawing traits of embedded-graphics.
 
+mod bytes;
 mod covered;
 mod dither;
 mod paint;

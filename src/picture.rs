@@ -14,6 +14,7 @@ use crate::color::Paint;
 use crate::occlusion::PaintOrder;
 use crate::pick::Pick;
 use crate::scene::Scene;
+use core::ops::Range;
 
 /// A scene and the size of its picture in pixels. Rows are computed when they are asked for.
 ///
@@ -68,6 +69,40 @@ impl Picture<'_> {
     #[must_use]
     pub const fn height(&self) -> u32 {
         self.height
+    }
+
+    /// The columns of row y that a round panel of the picture's size shows: those whose pixels lie within the
+    /// circle about the middle of the picture that touches its nearer two edges, or partly within it. Rows
+    /// outside the circle have none.
+    ///
+    /// ```
+    /// # use embedded_lathe::*;
+    /// # static SCENE: Scene = Scene::new(
+    /// #     &[],
+    /// #     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+    /// #     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+    /// # );
+    /// let picture = SCENE.picture(240, 240);
+    /// let asked: u32 = (0..240).map(|y| picture.disc_of_row(y).len() as u32).sum();
+    /// assert_eq!((picture.disc_of_row(0), picture.disc_of_row(120)), (104..136, 0..240));
+    /// assert!(asked < 240 * 240 * 4 / 5);
+    /// ```
+    #[must_use]
+    pub fn disc_of_row(&self, y: u32) -> Range<u32> {
+        // In halves of a pixel: the radius, and the distances of the row's upper and lower edge from the middle.
+        let radius = u64::from(self.width.min(self.height));
+        let (middle, upper) = (u64::from(self.height), 2 * u64::from(y));
+        let nearest = upper.saturating_sub(middle).max(middle.saturating_sub(upper + 2));
+        if nearest >= radius {
+            return 0..0;
+        }
+        // Half of the chord at the nearer edge, rounded up.
+        let square = radius * radius - nearest * nearest;
+        let root = square.isqrt();
+        let half = root + u64::from(root * root < square);
+        // `half` is at most the radius, and so at most the width.
+        let left = ((u64::from(self.width) - half) / 2) as u32;
+        left..self.width - left
     }
 
     /// Which solid the pixel in column x of row y shows, and where its ray hits it; `None` if it shows none, or

@@ -18,6 +18,7 @@ use embedded_lathe::{Picture, Placed, Pose, Redraw, Rotation, Scene, Solid};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use recorder::Recorder;
+use scenes::dial::{DIAL, dial};
 
 fn area(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
     Rectangle::new(Point::new(x, y), Size::new(width, height))
@@ -315,6 +316,40 @@ fn only_what_changed_is_drawn_again() {
     }
     compared.assert_few();
     assert!(drawn < 40 * 80 * 60 / 4, "{drawn}");
+}
+
+/// A pointer in the knob's pose shows that the knob turns: by 5°, from any angle on. Only the pointer's rectangle is drawn.
+#[test]
+fn a_knob_is_seen_to_turn() {
+    let step = core::f32::consts::PI / 36.0;
+    let mut display = Recorder::of_size(240, 240);
+    let mut redraw = Redraw::new(display.bounding_box());
+    let mut compared = Compared::default();
+    let mut last: Option<Vec<Rgb565>> = None;
+    let (mut least, mut most_drawn) = (usize::MAX, 0);
+    // 45° apart, and 5° on from each.
+    for n in (0..8).flat_map(|eighth| [9 * eighth, 9 * eighth + 1]) {
+        let solids = dial(n as f32 * step).unwrap();
+        let picture = DIAL.with_solids(&solids).picture(240, 240);
+        let changed = redraw.next(picture.covered_by(&solids[1]));
+        display.next_frame();
+        picture.at(Point::zero()).only(&changed).draw(&mut display).unwrap();
+        let now = whole(&picture);
+        for (i, &truth) in now.iter().enumerate() {
+            let (x, y) = ((i % 240) as i32, (i / 240) as i32);
+            compared.add(display.at(x, y).unwrap(), truth, &format!("{}°", 5 * n));
+        }
+        if let Some(last) = last
+            && n % 9 == 1
+        {
+            least = least.min(last.iter().zip(&now).filter(|(a, b)| a != b).count());
+            most_drawn = most_drawn.max(display.written.len());
+        }
+        last = Some(now);
+    }
+    println!("at least {least} pixels change, and at most {most_drawn} are drawn");
+    compared.assert_few();
+    assert!(least >= 30 && most_drawn < 240 * 240 / 8, "{least}, {most_drawn}");
 }
 
 /// The union of two frames' rectangles, of which either may have no pixels.

@@ -1,6 +1,7 @@
 //! The reference scenes: every figure of speed and every reference picture names one of these. All of them
 //! are constants, in flash.
 
+pub mod dial;
 pub mod fine;
 pub mod shapes;
 

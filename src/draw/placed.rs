@@ -49,7 +49,7 @@ impl<'a> Picture<'a> {
 ///
 /// Made by [`Picture::at`], where there is an example. [`Placed::rows`] and [`Placed::only`] choose a part, for
 /// a band of a display, or for the rectangle that has changed. What lies outside the target is not computed,
-/// however large the picture is.
+/// however large the picture is; of a target with 2³² pixels or more no pixel is drawn.
 ///
 /// For code that is generic over embedded-graphics' `Transform`, which is not part of embedded-graphics-core,
 /// an `Image` of [`Picture::image`] implements it; the methods [`Placed::translate`] and
@@ -161,16 +161,72 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
         if row.is_empty() { self.draw(target) } else { self.draw_through(target, row) }
     }
 
-    /// Draws what the target has room for, in one call, and computes as many pixels at once as fit into `run`.
+    /// Draws only some columns of each row, those that `columns` returns for the row's number, counted in the
+    /// picture: one call of [`fill_contiguous`](DrawTarget::fill_contiguous) for each row that has any. Pixels
+    /// are computed in memory that the caller lends, as by [`Placed::draw_by_rows`].
+    ///
+    /// A round panel shows four fifths of the pixels of its square, and asks for no others:
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+    /// # use embedded_lathe::*;
+    /// # static SCENE: Scene = Scene::new(
+    /// #     &[],
+    /// #     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+    /// #     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+    /// # );
+    ///
+    /// let mut display = MockDisplay::<Rgb565>::new();
+    /// let picture = SCENE.picture(64, 64);
+    /// let mut row = [Rgb565::BLACK; 64];
+    /// picture.at(Point::zero()).draw_spans(&mut display, &mut row, |y| picture.disc_of_row(y))?;
+    /// assert_eq!(display.get_pixel(Point::new(0, 0)), None);
+    /// assert_eq!(display.get_pixel(Point::new(0, 32)), Some(Rgb565::BLACK));
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The target's own.
+    pub fn draw_spans<D>(
+        &self,
+        target: &mut D,
+        row: &mut [C],
+        columns: impl Fn(u32) -> Range<u32>,
+    ) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color = C>,
+    {
+        let room = &mut blank();
+        let run = if row.is_empty() { room } else { row };
+        let part = self.within(&target.bounding_box());
+        (part.top..part.bottom).try_for_each(|y| {
+            let Range { start, end } = columns(y);
+            let (left, right) = (start.max(part.left), end.min(part.right));
+            self.fill(target, Extent { left, top: y, right, bottom: y + 1 }, run)
+        })
+    }
+
+    /// Draws what the target has room for, and computes as many pixels at once as fit into `run`.
     fn draw_through<D>(&self, target: &mut D, run: &mut [C]) -> Result<(), D::Error>
     where
         D: DrawTarget<Color = C>,
     {
-        let part = self.within(&target.bounding_box());
+        self.fill(target, self.within(&target.bounding_box()), run)
+    }
+
+    /// Draws a part of the picture in one call, or makes none if the part has no pixels.
+    fn fill<D>(&self, target: &mut D, part: Extent, run: &mut [C]) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color = C>,
+    {
+        if part.is_empty() {
+            return Ok(());
+        }
         let size = (part.right - part.left, part.bottom - part.top);
         match Pixels::new(&self.picture.raster(), (part.left, part.top), size, run) {
-            Some(pixels) if !part.is_empty() => target.fill_contiguous(&self.on_display(part), pixels),
-            _ => Ok(()),
+            Some(pixels) => target.fill_contiguous(&self.on_display(part), pixels),
+            None => Ok(()),
         }
     }
 

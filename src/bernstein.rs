@@ -5,7 +5,7 @@
 ///
 /// Its roots are found from the ordinates, not from the coefficients of powers of u that
 /// [`Cubic::from_bernstein`](crate::Cubic::from_bernstein) makes of them. Those are sums of ordinates, and
-/// what is small beside u = 1 is lost in them:
+/// small values near u = 1 are lost in them:
 ///
 /// ```
 /// use embedded_lathe::{Bernstein, Cubic};

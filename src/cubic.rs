@@ -35,7 +35,7 @@ impl Cubic {
     /// Each coefficient is off by at most 36 units of 2⁻²⁴ of the largest ordinate. The worst is c2, three
     /// times the difference of two differences: it is at most 12 times that ordinate, and has three
     /// roundings. Where no ordinate is negative c2 is at most 6 times the largest, and the bound is 18 units.
-    /// A cubic that is small beside u = 1 loses its value there in such sums: [`Bernstein`](crate::Bernstein)
+    /// A cubic whose values near u = 1 are small loses them in such sums: [`Bernstein`](crate::Bernstein)
     /// finds roots without them.
     #[must_use]
     pub const fn from_bernstein(b: [f32; 4]) -> Self {
@@ -82,8 +82,8 @@ impl Cubic {
         ((c3.abs() * u + c2.abs()) * u + c1.abs()) * u + c0.abs()
     }
 
-    /// The greatest value on the interval [−before, beyond]: at one of its ends, or at the cubic's maximum if
-    /// that lies inside.
+    /// The greatest value on the interval from `before` before zero to `beyond` beyond it, [−before, beyond].
+    /// The cubic has it at one of the interval's ends, or at its maximum if that lies inside.
     pub(crate) fn max_on(&self, before: f32, beyond: f32) -> f32 {
         let [_, c1, c2, c3] = self.c;
         let ends = greater(self.at(-before), self.at(beyond));

@@ -33,7 +33,7 @@
 //! A list of roots keeps five promises:
 //!
 //! - Each of its roots is a root of some cubic within the bound.
-//! - Between two neighbors in the list some cubic within the bound has the sign that it should have there.
+//! - Between two neighbours in the list some cubic within the bound has the sign that it should have there.
 //! - Two equal roots in the list are a double root of some cubic within the bound.
 //! - The list has no more roots than the degree.
 //! - Some cubic within the bound has as many roots as the list, except where three roots are nearly one and

@@ -52,8 +52,8 @@ pub(crate) const fn sum(a: F32x3, b: F32x3) -> F32x3 {
     vector([a.x + b.x, a.y + b.y, a.z + b.z])
 }
 
-/// a + b·by. It is always inline: where operators are calls, their results stay in memory and are copied from
-/// there.
+/// a + b·by. It is always inline: micromath's operators become calls in places, and the vectors that they
+/// return are passed in memory.
 #[inline(always)]
 pub(crate) const fn sum_scaled(a: F32x3, b: F32x3, by: f32) -> F32x3 {
     vector([a.x + b.x * by, a.y + b.y * by, a.z + b.z * by])
@@ -82,8 +82,8 @@ pub(crate) const fn largest(v: F32x3) -> f32 {
 /// The vector times a power of two that brings its largest magnitude into [1, 4), and that power. `None` if a
 /// component is infinite or NaN, or if no component is a normal number.
 ///
-/// The result is in [1, 2), except for magnitudes of 2¹²⁷ or more: the smallest normal power, 2⁻¹²⁶, brings
-/// those into [2, 4).
+/// The largest magnitude of the result is in [1, 2), except where that of `v` is 2¹²⁷ or more: the smallest
+/// normal power, 2⁻¹²⁶, brings it into [2, 4).
 pub(crate) const fn to_one(v: F32x3) -> Option<(F32x3, f32)> {
     const SMALLEST: f32 = f32::MIN_POSITIVE;
     let size = largest(v);

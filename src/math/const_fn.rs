@@ -10,8 +10,8 @@
 /// e²/(2 + 2·e), so that the seed's error of ±3.48 % becomes 6.3·10⁻⁴, 2·10⁻⁷, 2·10⁻¹⁴, and rounding.
 ///
 /// The seed is made of bits: half of those of x, which halves the exponent, plus half of those of 1,
-/// 0x1fc0_0000. Since the mantissa is halved, too, that would be up to 7 % above √x and never below it;
-/// subtracting 0.0366·2²³ makes the largest error the same to both sides.
+/// 0x1fc0_0000. Since the mantissa is halved, too, that would be up to 6.1 % above √x (for x = 2: 3/2) and
+/// never below it; subtracting 0.0366·2²³ makes the largest error the same to both sides.
 pub const fn sqrt(x: f32) -> f32 {
     if !(x >= f32::MIN_POSITIVE && x < f32::INFINITY) {
         return 0.0;
@@ -25,20 +25,21 @@ pub const fn sqrt(x: f32) -> f32 {
     y
 }
 
-/// Returns the sine and the cosine of an angle in radians. Each is within 2·10⁻⁷ for |angle| up to 10 000,
-/// and NaN for |angle| of 10 001 or more, and for NaN.
+/// Returns the sine and the cosine of an angle in radians. Each is within 2·10⁻⁷ for |angle| up to 10 000;
+/// both are NaN for |angle| of 10 001 or more, and for NaN; between 10 000 and 10 001 either may be the case.
 ///
-/// First the nearest multiple of π/2 is subtracted, which is held in three parts, so that the subtractions of
-/// the first two are exact (Cody and Waite 1980). Then Taylor's series are evaluated over [−π/4, π/4]; the
-/// first term omitted is below 2·10⁻⁹ for the sine, and below 2.5·10⁻⁸ for the cosine.
+/// First the nearest multiple of π/2 is subtracted, with π/2 as a sum of three parts (Cody and Waite 1980).
+/// The first two have 8 and 11 bits: their products with up to 6366, which has 13 bits, are exact, and so are
+/// the subtractions. Then Taylor's series are evaluated over [−π/4, π/4]; the first term omitted is below
+/// 2·10⁻⁹ for the sine, and below 2.5·10⁻⁸ for the cosine.
 pub const fn sin_cos(angle: f32) -> (f32, f32) {
     // The quarter turns in 10 000 radians: 10 000·2/π = 6366.2.
-    const MOST: u32 = 6_366;
-    const PARTS: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_79e-8];
+    const MOST_QUARTERS: u32 = 6_366;
+    const QUARTER: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_79e-8];
     let quarters = (angle * core::f32::consts::FRAC_2_PI + if angle < 0.0 { -0.5 } else { 0.5 }) as i32;
     let n = quarters as f32;
-    let r = ((angle - n * PARTS[0]) - n * PARTS[1]) - n * PARTS[2];
-    let r = if quarters.unsigned_abs() > MOST { f32::NAN } else { r };
+    let r = ((angle - n * QUARTER[0]) - n * QUARTER[1]) - n * QUARTER[2];
+    let r = if quarters.unsigned_abs() > MOST_QUARTERS { f32::NAN } else { r };
     let square = r * r;
     let sin = r
         * (1.0

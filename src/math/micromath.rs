@@ -18,8 +18,9 @@ pub struct Micromath;
 
 impl Math for Micromath {
     fn sqrt(x: f32) -> f32 {
-        // Below 10⁻³⁰ intermediate results would underflow: x is scaled by 2⁴⁸, and its root by 2⁻²⁴.
-        let (x, back) = if x < 1.0e-30 { (x * TWO_TO_48, TWO_TO_MINUS_24) } else { (x, 1.0) };
+        // Below 10⁻³⁰ intermediate results would underflow: x is multiplied by 2⁴⁸, and its root divided by
+        // 2²⁴.
+        let (x, back) = if x < 1.0e-30 { (x * SCALE, 1.0 / ROOT_SCALE) } else { (x, 1.0) };
         if !(x > 0.0 && x < f32::INFINITY) {
             // ±0 and +∞ are their own roots. The root of a negative number or NaN is NaN.
             return if x >= 0.0 { x } else { f32::NAN };
@@ -47,5 +48,6 @@ impl Math for Micromath {
     }
 }
 
-const TWO_TO_48: f32 = 281_474_976_710_656.0;
-const TWO_TO_MINUS_24: f32 = 1.0 / 16_777_216.0;
+/// By what a small root is scaled, 2²⁴, and by what its square is.
+const ROOT_SCALE: f32 = (1_u32 << 24) as f32;
+const SCALE: f32 = ROOT_SCALE * ROOT_SCALE;

@@ -2,14 +2,15 @@
 /// NaN. It takes additions and multiplications only: the same bits everywhere, and less than half of the time
 /// of a square root and a division on a Cortex-M4F.
 ///
-/// The seed y is computed from the bits of x, as Walsh did it. With the best constant before any step,
-/// 0x5f37_642f (Lomont, “Fast inverse square root”, 2003), it is within 3.44 %; with that constant rounded to
-/// 0x5f37_6800 it is within 3.431 %.
+/// The seed y is computed from the bits of x, as Walsh did it. Of all constants 0x5f37_642f makes the best
+/// seed, within 3.422 % (Lomont, “Fast inverse square root”, 2003). The constant here is that one rounded to
+/// 0x5f37_6800, with which the seed is within 3.431 %.
 ///
 /// Two steps `y ← y·(3/2 + d − x/2·y²)` follow. One step turns a relative error e into
 /// `d·(1 + e) − (3·e² + e³)/2`. With d = 0 it would be Newton's step, whose errors are all to one side; with
-/// d = 8.8·10⁻⁴ the first step leaves ±8.8·10⁻⁴ (`laboratory/tests/fits.rs`). Of that the second step, whose
-/// d is 3.6·10⁻⁷, would make 3·e²/2 = 1.2·10⁻⁶ without d, and leaves 8·10⁻⁷ with it; rounding adds to it.
+/// d = 8.8·10⁻⁴ the first step leaves ±8.8·10⁻⁴ (`laboratory/tests/fits.rs`). Of an error of that size
+/// Newton's step would leave 3·e²/2 = 1.2·10⁻⁶. The second step, whose d is 3.6·10⁻⁷, leaves 8·10⁻⁷, to which
+/// rounding adds.
 pub(crate) fn rsqrt(x: f32) -> f32 {
     let half = 0.5 * x;
     let y = f32::from_bits(0x5f37_6800_u32.wrapping_sub(x.to_bits() >> 1));

@@ -6,13 +6,14 @@ use crate::cubic::Cubic;
 use crate::math::Math;
 use crate::math::minmax::{greater, lesser};
 
-/// The cubic, negated if it is negative at `lo`, and the first piece of [lo, hi] on which that falls to zero.
-/// `None` if `g` does not change its sign up to `hi`.
+/// The cubic, negated if it counts as negative at `lo`, and the first piece of [lo, hi] on which the cubic so
+/// returned falls to zero. `None` if `g` does not change its sign up to `hi`.
 ///
 /// `positive` is whether `g` counts as positive at `lo`, whatever rounding makes of the value there;
 /// `ends_positive` is the same at `hi`, or `None` if the value at `hi` decides. A cubic that is positive at
-/// `lo` can only reach zero by falling. Then it is zero or less at its minimum, or, if that is not between
-/// `lo` and `hi` or lies above zero, at `hi`: the signs at these two points decide.
+/// `lo` can only reach zero by falling, up to its minimum if that comes after `lo`. So if the minimum is
+/// between `lo` and `hi`, and the value there is zero or less, the piece ends at the minimum. In all other
+/// cases the sign at `hi` decides whether the cubic reaches zero, and the piece ends at `hi`.
 #[inline(always)]
 fn first_piece<M: Math>(
     g: &Cubic,
@@ -71,9 +72,10 @@ impl<'a> Crossings<'a> {
         Self { g, lo, hi, positive, ends_positive: Some(ends_positive) }
     }
 
-    /// The next point at which the cubic reaches zero or the other sign, by the solver S, held to its piece.
-    /// `None` if there is none up to `hi`. After a crossing the rest of the interval begins at the end of its
-    /// piece, with the other sign.
+    /// The next point at which the cubic reaches zero or the other sign: the root that the solver S computes
+    /// in the next piece, or the piece's nearer end if that root lies outside. The interval that is left then
+    /// begins at the piece's end, with the other sign. `None` if there is no crossing up to `hi`; then the
+    /// search is left as it is.
     #[inline(always)]
     pub fn next<S: Solver>(&mut self) -> Option<f32> {
         if !(self.lo < self.hi) {
@@ -89,14 +91,14 @@ impl<'a> Crossings<'a> {
         Some(greater(piece.lo, lesser(piece.hi, root)))
     }
 
-    /// Whether the cubic counts as positive at the start of the rest: at `hi`, once `next` has returned
-    /// `None`.
+    /// Whether the cubic counts as positive at `lo`, where the interval that is left begins. Once `next` has
+    /// returned `None`, the cubic has the same sign at `hi`.
     pub fn is_positive(&self) -> bool {
         self.positive
     }
 }
 
-/// The first critical point between `lo` and `hi`, or `hi` if there is none. One at `lo` does not count.
+/// The first critical point in (lo, hi), or `hi` if there is none.
 pub(super) fn first_critical<M: Math>(g: &Cubic, lo: f32, hi: f32) -> f32 {
     let Some(bend) = bend::<M>(g) else { return hi };
     let points = [true, false].map(|near| critical_point(g, bend, near));

@@ -3,13 +3,15 @@ use super::solver::Solver;
 use crate::cubic::Cubic;
 use crate::math::{Native, UNIT_ROUNDOFF};
 
-/// The most steps. Halvings alone would take 25 to shorten the bracket to 2⁻²⁴ of the piece; this leaves more
-/// than as many for Newton steps that gain nothing.
-const MOST_STEPS: u32 = 64;
+/// The most steps of [`Newton`]. After 24 halvings the bracket is 2⁻²⁴ of the piece, and no step in it
+/// longer. The other 40 are for the slowest steps of Newton's method, those towards a triple root, which
+/// leave 2/3 of the distance: 40 of them leave 2⁻²³.
+const NEWTON_LIMIT: u32 = 64;
 
-/// Newton's method in a bracket: a step that would leave the bracket goes to its middle instead. It ends
-/// where the value is within 2⁻²⁴ of the sum of its terms' magnitudes, which is rounding, or where the next
-/// step would be within 2⁻²⁴ of the piece's length.
+/// Newton's method in a bracket, from the middle of the piece: a step that would leave the bracket goes to
+/// the bracket's middle instead. It returns a u at which the value is at most one rounding, 2⁻²⁴ of the sum
+/// of its terms' magnitudes, or from which the next step would be at most 2⁻²⁴ of the piece's length; after
+/// [`NEWTON_LIMIT`] steps it returns the bracket's upper end.
 ///
 /// This is the solver with the least code. It is used for rays that the fast path leaves undecided, which are
 /// few, so its speed matters little.
@@ -23,7 +25,7 @@ impl Solver for Newton {
         let (mut lo, mut hi) = (piece.lo, piece.hi);
         let last = UNIT_ROUNDOFF * (hi - lo);
         let mut u = hi;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..NEWTON_LIMIT {
             if !(lo < u && u < hi) {
                 u = 0.5 * (lo + hi);
             }
@@ -54,8 +56,8 @@ mod tests {
     use rand::rngs::ChaCha8Rng;
     use rand::{RngExt, SeedableRng};
 
-    /// Roots are where the default solver says that there are any, and as good as that promises, but for the
-    /// last step: well separated ones, and those of which two are nearly one.
+    /// Roots are found where the default solver finds any, and are as good as that promises, apart from what
+    /// the last step leaves: well separated ones, and those of which two are nearly one.
     #[test]
     fn as_good_as_any() {
         let mut rng = ChaCha8Rng::seed_from_u64(1995);
@@ -63,7 +65,7 @@ mod tests {
         for _ in 0..200_000 {
             let mut c: [f32; 4] = core::array::from_fn(|_| rng.random_range(-1.0..1.0));
             if rng.random() {
-                // (u − a)²·(b0 + b1·u), but for roundings.
+                // (u − a)²·(b0 + b1·u), rounded.
                 let [a, b0, b1, _] = c;
                 c = [a * a * b0, a * (a * b1 - 2.0 * b0), b0 - 2.0 * a * b1, b1];
             }

@@ -27,7 +27,7 @@ use crate::math::minmax::greater;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Piece {
-    /// Where the piece begins, and with it the interval.
+    /// Where the piece begins: at the start of what is left of the interval to be searched.
     pub lo: f32,
     /// Where the piece ends: at the interval's end, or at the cubic's minimum if that comes before.
     pub hi: f32,
@@ -48,16 +48,17 @@ pub struct Piece {
 pub enum Fall {
     /// The cubic has no critical points.
     Straight,
-    /// The cubic falls to its minimum, which lies after the piece's start, and where it is zero or less. The
-    /// minimum may lie beyond the piece's end.
+    /// The cubic falls to its minimum. That lies after the piece's start, perhaps beyond its end, and the
+    /// value there is zero or less.
     ToMinimum,
-    /// The cubic falls from its maximum. Its minimum lies before the piece's start, or the cubic is positive
-    /// there.
+    /// The cubic falls from its maximum: its minimum lies before the piece's start, or the value at the
+    /// minimum is positive.
     FromMaximum,
 }
 
 impl Piece {
-    /// Where the cubic has its maximum. Infinite or NaN if it has none.
+    /// Where `g`, the cubic that the solver was given with this piece, has its maximum. Infinite or NaN if it
+    /// has none.
     #[inline(always)]
     #[must_use]
     pub fn maximum(&self, g: &Cubic) -> f32 {
@@ -80,10 +81,12 @@ pub(super) fn critical_point(g: &Cubic, bend: f32, near: bool) -> f32 {
     above / below
 }
 
-/// `√(c2² − 3·c3·c1)`, or `None` if the square is not positive: then the cubic has no critical points.
+/// `√(c2² − 3·c3·c1)`, or `None` if the cubic has no critical points, that is, if the square is not positive,
+/// or none that matter: see [`slight_bend`].
 ///
-/// The computed difference is exact for a cubic whose c1 is off by 3 roundings at most. Where it cancels, the
-/// critical points are so close together that g changes by far less than its rounding between them.
+/// The computed square is, within two roundings, that of a cubic whose c1 differs by 3 roundings at most: one
+/// for each of the three products. Where the difference cancels, the critical points are so close together
+/// that g changes by far less than its rounding between them.
 ///
 /// Above 10⁻²⁴ the difference is not affected by underflow: a product that underflows is off by less than
 /// f32's smallest normal number, 1.2·10⁻³⁸, which is less than 2⁻²⁴·10⁻²⁴.
@@ -95,18 +98,21 @@ pub(super) fn bend<M: Math>(g: &Cubic) -> Option<f32> {
 }
 
 /// [`bend`] where the computed square is 10⁻²⁴ or less, or NaN, so that products may have underflowed. `None`
-/// if the square is not positive, or if |c1|/bend is 2⁵⁰ or more. In the second case the nearer critical
-/// point is about that far from zero, 2²⁰ times as far as an interval reaches that is not rescaled.
+/// if the square is not positive, or if |c1| is 2⁵⁰·bend or more: then the critical points do not matter. For
+/// either |c2| is 2⁸·bend at most, and the nearer one, at the distance |c1|/(|c2| + bend) from zero, is
+/// beyond 2⁴¹, where no interval reaches that is solved as it is. Or |c2| is larger, and between the critical
+/// points g changes by 4/3·(bend/c2)³ of its quadratic term there, which is about 2⁻²⁴ or less: a rounding.
 ///
 /// The coefficients are multiplied by LIFT = 2⁶⁰, and so the products by 2¹²⁰, which makes small ones normal
-/// numbers. Large ones overflow. Since c2² exceeds 3·c3·c1 by no more than 10⁻²⁴ here, the difference is then
-/// −∞ or NaN, the root is taken of zero, and the result is `None`, as it should be.
+/// numbers. A product above 2⁸ overflows. Both do if c2² does, since c2² exceeds 3·c3·c1 by 10⁻²⁴ at most;
+/// numbers above 2⁸ are multiples of 2⁻¹⁵, and so the square is zero or negative. The lifted difference is −∞
+/// or NaN, `greater` makes zero of either, and the result is `None`.
 #[cold]
 #[inline(never)]
 fn slight_bend<M: Math>(c1: f32, c2: f32, c3: f32) -> Option<f32> {
     const LIFT: f32 = (1_u64 << 60) as f32;
-    const FAR: f32 = (1_u64 << 50) as f32;
+    const MOST_RATIO: f32 = (1_u64 << 50) as f32;
     let [c1, c2, c3] = [LIFT * c1, LIFT * c2, LIFT * c3];
     let bend = M::sqrt(greater(0.0, c2 * c2 - 3.0 * c3 * c1));
-    (FAR * bend > c1.abs()).then_some(bend / LIFT)
+    (MOST_RATIO * bend > c1.abs()).then_some(bend / LIFT)
 }

@@ -1,4 +1,4 @@
-use super::collect::MOST;
+use super::collect::MOST_ROOTS;
 use super::cubic::DefaultSolver;
 use super::rescale::{TAME, rescaled};
 use crate::bernstein::Bernstein;
@@ -49,7 +49,7 @@ impl Bernstein {
         if self.has_one_sign() {
             return None;
         }
-        // Most roots are in the first part of the interval, where `search` would find the same one.
+        // Most roots have a w of 2³⁰ or less. `search` would find the same one, in the first of its parts.
         let first = self.over_ratio().first_root_by::<S>(0.0, TAME).map(from_ratio);
         first.or_else(|| self.search::<S>(1).first().copied())
     }
@@ -57,7 +57,7 @@ impl Bernstein {
     /// [`Bernstein::roots`] by the solver S.
     #[must_use]
     pub fn roots_by<S: Solver>(&self) -> Vec<f32, 3> {
-        self.search::<S>(MOST)
+        self.search::<S>(MOST_ROOTS)
     }
 
     /// Whether all ordinates are positive, or all are negative. Then the cubic has no root in [0, 1].
@@ -65,7 +65,8 @@ impl Bernstein {
         self.b.iter().all(|b| *b > 0.0) || self.b.iter().all(|b| *b < 0.0)
     }
 
-    /// The first roots in [0, 1], at most `most` of them, ascending.
+    /// The first roots in [0, 1], at most `most` of them, ascending: those of [`Bernstein::over_ratio`], and
+    /// 1 if b3 is zero. Empty if an ordinate is infinite or NaN.
     fn search<S: Solver>(&self, most: usize) -> Vec<f32, 3> {
         let [_, _, _, b3] = self.b;
         let mut roots = Vec::new();

@@ -60,14 +60,15 @@ fn cubic<M: Math>(g: &Cubic, piece: &Piece) -> f32 {
 
 /// The angle to be added to θ, which is in [0, 60°], so that the root in the piece results: −120°, 0 or 120°.
 ///
-/// X = 2·√D·cos(θ) is the largest of the three for 0, the smallest for 120°, and the middle one for −120°. If
-/// c3 > 0, u rises with X, and the cubic falls from its maximum to its minimum: the piece holds the middle
-/// root. If c3 < 0, u falls as X rises, and the piece holds the first root of u if the cubic falls to its
-/// minimum, and the last if it falls from its maximum.
+/// Of the three roots X, 2·√D·cos(θ) is the largest, 2·√D·cos(θ + 120°) the smallest, and
+/// 2·√D·cos(θ − 120°) the middle one. If c3 > 0, u rises with X, and the cubic falls from its maximum to its
+/// minimum: the piece holds the middle root. If c3 < 0, u falls as X rises. Then the piece holds the smallest
+/// root u, which is that of the largest X, if the cubic falls to its minimum, and the largest u if it falls
+/// from its maximum.
 fn third(piece: &Piece, c3: f32) -> f32 {
     const THIRD: f32 = 2.0 * core::f32::consts::FRAC_PI_3;
     match piece.fall {
-        _ if c3 > 0.0 => -THIRD, // cos(θ − 120°), θ in [0, 60°]: the middle root
+        _ if c3 > 0.0 => -THIRD,
         Fall::ToMinimum => 0.0,
         _ => THIRD,
     }

@@ -6,14 +6,14 @@ use crate::solve::isolate::{Crossings, first_critical};
 use heapless::Vec;
 
 /// The largest number of roots that a cubic may have.
-pub(super) const MOST: usize = 3;
+pub(super) const MOST_ROOTS: usize = 3;
 
 /// Appends to `roots` the roots of `g` in [lo, hi], each multiplied by `unit`, until the list has `most`.
 /// Returns whether `g` is positive at `hi`, or, if the list is full before, after its last root.
 ///
-/// `sign` is whether `g` is positive at `lo`, if that has been decided, and else `None`. Then the value at
-/// `lo` decides. If that is zero, `lo` is a root, and the search goes on from the first critical point after
-/// it, with the sign there.
+/// `sign` is whether `g` is positive at `lo`, if that has been decided. If it is `None`, the value at `lo`
+/// decides; if that is zero, `lo` is a root, and the search goes on from the first critical point after it,
+/// or from `hi` if there is none, with the sign there.
 pub(super) fn collect<S: Solver>(
     g: &Cubic,
     [lo, hi]: [f32; 2],

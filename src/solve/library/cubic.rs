@@ -1,6 +1,6 @@
 //! The roots of a cubic in power form.
 
-use super::collect::{MOST, collect};
+use super::collect::{MOST_ROOTS, collect};
 use super::rescale::{is_tame, rescaled};
 use super::split::Split;
 use crate::cubic::Cubic;
@@ -28,7 +28,8 @@ impl Cubic {
     /// decides whether a double root is found as two that are equal or close, as one at an end of the
     /// interval, or not at all.
     ///
-    /// The list is empty where [`Cubic::first_root`] is `None`; otherwise its first entry is that root.
+    /// The list is empty where [`Cubic::first_root`] is `None`; otherwise its first entry is that root. If
+    /// all coefficients are zero, lo comes first, and further points may follow.
     ///
     /// ```
     /// use embedded_lathe::Cubic;
@@ -55,10 +56,10 @@ impl Cubic {
     #[must_use]
     pub fn roots_by<S: Solver>(&self, lo: f32, hi: f32) -> Vec<f32, 3> {
         if !is_tame(self, lo, hi) {
-            return rescaled::<S>(self, lo, hi, MOST);
+            return rescaled::<S>(self, lo, hi, MOST_ROOTS);
         }
         let mut roots = Vec::new();
-        collect::<S>(self, [lo, hi], None, 1.0, MOST, &mut roots);
+        collect::<S>(self, [lo, hi], None, 1.0, MOST_ROOTS, &mut roots);
         roots
     }
 }

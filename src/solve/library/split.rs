@@ -18,9 +18,10 @@ use core::marker::PhantomData;
 /// (`inflection.rs` has both.)
 ///
 /// Φ is computed by a polynomial of five terms, within 2.7·10⁻³, and a Newton step on its equation, which
-/// leaves 5.2·10⁻⁶. One Newton step on g removes that error, and the rounding of the critical point. Its
-/// slope is `d·(2·bend − 3·c3·d)`, a product that does not cancel as d → 0. Since Newton's method converges
-/// quadratically, an error of about 10⁻¹¹·d remains. There is no bracket, and no loop for b of −3/4 or more:
+/// leaves 5.2·10⁻⁶. One Newton step on g removes that error, and the rounding of the critical point. The step
+/// is divided by the slope `d·(2·bend − 3·c3·d)`, a product that does not cancel as d → 0. Since Newton's
+/// method converges quadratically, an error of about 10⁻¹¹·d remains. There is no bracket, and for b of −3/4
+/// or more no loop. In two places the step on g is another:
 ///
 /// - Beside a critical point rounding decides the sign of g, and a Newton step may have any length. One
 ///   longer than d/2 is cut to d/2: `bend·d²` is then below the rounding of g, and every point within a few d

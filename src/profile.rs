@@ -300,6 +300,39 @@ impl<const N: usize> Profile<N> {
         self.base(End::Capped).top(End::Capped)
     }
 
+    /// This profile with room for M segments instead of N. A profile that is read at run time, into as much room
+    /// as the largest may need, so gets no more than it takes: a segment of a lathe is 76 bytes.
+    ///
+    /// ```
+    /// use embedded_lathe::{Lathe, Profile, ProfileError, Segment};
+    ///
+    /// // Of as many points as a host may send …
+    /// let read = Profile::<20>::through(&[(0.0, 0.2), (0.4, 0.3), (0.7, 0.1), (1.0, 0.15)])?;
+    /// // … these are three segments.
+    /// let vase: Lathe<[Segment; 3]> = Lathe::turn(read.resized::<3>()?);
+    /// assert_eq!(vase.segments(), 3);
+    ///
+    /// let error = read.resized::<2>().unwrap_err();
+    /// assert_eq!(error, ProfileError::TooManySegments { segments: 3, capacity: 2 });
+    /// # Ok::<(), ProfileError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`ProfileError::TooManySegments`] if it has more than M segments.
+    pub const fn resized<const M: usize>(&self) -> Result<Profile<M>, ProfileError> {
+        let Self { len, squash, below, above, .. } = *self;
+        if len > M {
+            return Err(ProfileError::TooManySegments { segments: len, capacity: M });
+        }
+        let (mut pieces, mut i) = ([ProfilePiece::EMPTY; M], 0);
+        while i < M && i < N {
+            pieces[i] = self.pieces[i];
+            i += 1;
+        }
+        Ok(Profile { pieces, len, squash, below, above })
+    }
+
     /// How many segments there are: at least 1, at most N.
     #[must_use]
     pub const fn segments(&self) -> usize {

@@ -1,6 +1,8 @@
 //! The program: what is measured, a CSV line each, in the order of m4cycles' regions.
 
 use crate::bare::{entry, exit};
+#[cfg(target_has_atomic = "32")]
+use crate::lone;
 use crate::{clock, frames, rays, region::measure, report, solvers};
 use core::arch::asm;
 
@@ -14,6 +16,8 @@ fn main() -> ! {
     report::line("nothing", 1, 1, measure(|| ()).1);
     report::line("loop of 2001", 1, 1, measure(loop_of_2001).1);
     frames::measured();
+    #[cfg(target_has_atomic = "32")]
+    lone::measured();
     rays::measured();
     solvers::measured();
     #[cfg(target_arch = "arm")]

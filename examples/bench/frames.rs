@@ -124,7 +124,7 @@ pub fn stacks() {
     }
 }
 
-fn frame<P: Panel>(name: &str, scene: &Scene, work: impl FnOnce()) {
+pub fn frame<P: Panel>(name: &str, scene: &Scene, work: impl FnOnce()) {
     let ((), instructions) = measure(work);
     let seen = |(x, y): &(u32, u32)| {
         let ray = scene.camera.ray(*x, *y, P::WIDTH, P::HEIGHT);

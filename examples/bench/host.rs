@@ -1,6 +1,6 @@
 //! The program for hosts: it runs itself under valgrind, which counts the regions, and then prints them.
 
-use crate::{frames, rays, region, report, solvers};
+use crate::{frames, lone, rays, region, report, solvers};
 use std::{env, error::Error, fs, process};
 
 /// As the argument: only run what is measured.
@@ -13,6 +13,7 @@ pub fn run() -> Result<(), Box<dyn Error>> {
     }
     report::head();
     frames::measured();
+    lone::measured();
     rays::measured();
     solvers::measured();
     Ok(())

@@ -14,6 +14,8 @@
 
 mod cubics;
 mod frames;
+#[cfg(any(target_has_atomic = "32", not(target_os = "none")))] // not on the slowest
+mod lone;
 mod rays;
 mod report;
 #[allow(dead_code)]

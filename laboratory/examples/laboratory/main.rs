@@ -5,6 +5,7 @@
 //! cargo run --release --example laboratory -- tables     docs/solvers.csv, docs/intersections.csv
 //! cargo run --release --example laboratory -- cost       docs/cost-host.csv, docs/cost-sextic.csv, counted by valgrind
 //! cargo run --release --example laboratory -- charts     docs/cost-and-error.svg, docs/cost-and-error-soft-float.svg
+//! cargo run --release --example laboratory -- pictures   docs/pictures.csv, docs/pictures.svg: whole pictures, and those of other renderers
 //! cargo run --release --example laboratory -- page       the tables of docs/ACCURACY.md, from the CSV files
 //! cargo run --release --example laboratory -- atlas      docs/atlas-*.png, docs/eye-level.png
 //! cargo run --release --example laboratory -- soak 60    60 minutes of fresh questions; what the crate gets wrong, printed
@@ -16,6 +17,8 @@ mod charts;
 mod cost;
 mod csv;
 mod page;
+mod pictures;
+mod plot;
 mod progress;
 mod soak;
 mod tables;
@@ -30,12 +33,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             tables::write()?;
             cost::write()?;
             charts::write()?;
+            pictures::write()?;
             page::write()?;
             atlas::write()
         }
         ["tables"] => tables::write(),
         ["cost"] => cost::write(),
         ["charts"] => charts::write(),
+        ["pictures"] => pictures::write(),
         ["page"] => page::write(),
         ["atlas"] => atlas::write(),
         ["soak", minutes] => soak::run(minutes.parse()?),

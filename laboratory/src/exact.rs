@@ -37,7 +37,8 @@ fn root(x: &Exact) -> Exact {
     x.sqrt().with_precision(0).value()
 }
 
-fn shortened(x: Exact, bits: usize) -> Exact {
+/// The nearest number of so many bits.
+pub fn shortened(x: Exact, bits: usize) -> Exact {
     x.with_precision(bits).value().with_precision(0).value()
 }
 
@@ -51,8 +52,8 @@ impl Polynomial {
     }
 
     pub fn at(&self, u: &Exact) -> Exact {
-        let terms = self.0.iter().rev();
-        terms.fold(Exact::ZERO.with_precision(0).value(), |sum, c| sum * u + c)
+        let Some((last, others)) = self.0.split_last() else { return exact(0.0) };
+        others.iter().rev().fold(last.clone(), |sum, c| sum * u + c)
     }
 
     /// `Σ |cⱼ·uʲ|`.
@@ -82,9 +83,19 @@ impl Polynomial {
     /// The roots in [lo, hi] at which the sign changes, and lo or hi where one of them is a root: certified by exact signs on both sides,
     /// and off by less than 2⁻⁶⁰ relative.
     pub fn roots(&self, lo: &Exact, hi: &Exact) -> Vec<Exact> {
+        self.roots_between(&self.cuts(lo, hi))
+    }
+
+    /// lo, the turns between lo and hi, and hi: between two neighbours the polynomial is monotone.
+    pub fn cuts(&self, lo: &Exact, hi: &Exact) -> Vec<Exact> {
         let mut cuts = vec![lo.clone()];
         cuts.extend(self.turns(lo, hi));
         cuts.push(hi.clone());
+        cuts
+    }
+
+    /// The [`roots`](Self::roots) between the first and the last of these cuts.
+    pub fn roots_between(&self, cuts: &[Exact]) -> Vec<Exact> {
         let signs: Vec<i32> = cuts.iter().map(|cut| sign(&self.at(cut))).collect();
         let mut roots = Vec::new();
         for (ends, signs) in cuts.windows(2).zip(signs.windows(2)) {
@@ -94,7 +105,7 @@ impl Polynomial {
                 _ => {}
             }
         }
-        if signs.last() == Some(&0) {
+        if let (Some(0), Some(hi)) = (signs.last(), cuts.last()) {
             roots.push(hi.clone());
         }
         roots

@@ -10,7 +10,7 @@
 //! [`Truth::judge_unsure`] lets the squared radius be off as well, by so much everywhere, before it displaces
 //! anything: near the axis that is a large displacement.
 
-use super::exact::{Exact, Polynomial, exact, float, quotient};
+use super::exact::{Exact, Polynomial, exact, float, quotient, shortened};
 use crate::cases::{Case, Cast, Outline};
 
 pub struct Truth<'a> {
@@ -24,10 +24,55 @@ pub struct Truth<'a> {
 }
 
 struct Piece {
-    segment: usize,
+    profile: Rounded,
+    knot: Exact,
     g: Polynomial,
     from: Exact,
     to: Exact,
+}
+
+impl Piece {
+    fn new(outline: &Outline, segment: usize, cast: &Cast, from: Exact, to: Exact) -> Self {
+        let profile = Powers::of(outline, segment);
+        let g = along(&profile, outline.k, cast);
+        Piece { profile: profile.rounded(), knot: profile.knot, g, from, to }
+    }
+}
+
+/// A segment: f as powers of u, its lower knot and its height.
+struct Powers {
+    f: [Exact; 4],
+    knot: Exact,
+    h: Exact,
+}
+
+/// The same in f64, for slopes and bends, of which a few digits are enough.
+struct Rounded {
+    f: [f64; 4],
+    h: f64,
+}
+
+impl Powers {
+    fn of(outline: &Outline, segment: usize) -> Self {
+        let [b0, b1, b2, b3] = std::array::from_fn(|j| exact(outline.ordinates[3 * segment + j]));
+        let three = exact(3.0);
+        let (d1, d2) = (&b1 - &b0, &b2 - &b1);
+        let f = [b0.clone(), &three * &d1, &three * (&d2 - &d1), b3 - b0 - &three * &d2];
+        let knot = exact(outline.knots[segment]);
+        let h = exact(outline.knots[segment + 1]) - &knot;
+        Powers { f, knot, h }
+    }
+
+    fn rounded(&self) -> Rounded {
+        Rounded { f: self.f.each_ref().map(float), h: float(&self.h) }
+    }
+
+    /// `h³·f` as a polynomial of ζ.
+    fn of_height(&self) -> Polynomial {
+        let (f, h) = (&self.f, &self.h);
+        let (h2, h3) = (h * h, h * h * h);
+        Polynomial(vec![&f[0] * &h3, &f[1] * &h2, &f[2] * h, f[3].clone()])
+    }
 }
 
 /// A point of the ray: where, the wall from there, and the way to an end or the ray's start.
@@ -71,18 +116,18 @@ impl<'a> Truth<'a> {
             crossings: Vec::new(),
         };
         for piece in &truth.pieces {
-            let mut cuts = vec![piece.from.clone()];
-            cuts.extend(piece.g.turns(&piece.from, &piece.to));
-            cuts.push(piece.to.clone());
+            let cuts = piece.g.cuts(&piece.from, &piece.to);
             for pair in cuts.windows(2) {
-                for i in 0..=SAMPLES {
+                let within = (1..SAMPLES).map(|i| {
                     let share = exact(f64::from(i) / f64::from(SAMPLES));
-                    let t = &pair[0] + (&pair[1] - &pair[0]) * share;
-                    let sample = truth.sample(piece, &t);
-                    truth.samples.push(sample);
-                }
+                    // Any point will do, and one of few digits costs the least.
+                    shortened(&pair[0] + (&pair[1] - &pair[0]) * share, 64)
+                });
+                let places = [pair[0].clone()].into_iter().chain(within).chain([pair[1].clone()]);
+                let samples: Vec<Sample> = places.map(|t| truth.sample(piece, &t)).collect();
+                truth.samples.extend(samples);
             }
-            let roots = piece.g.roots(&piece.from, &piece.to);
+            let roots = piece.g.roots_between(&cuts);
             truth.crossings.extend(roots.iter().map(float));
         }
         truth.crossings.dedup();
@@ -130,32 +175,28 @@ impl<'a> Truth<'a> {
         let held = z.clamp(bottom, top);
         let above = knots.partition_point(|&knot| exact(knot) <= held);
         let segment = above.clamp(1, knots.len() - 1) - 1;
-        let (f, h) = ordinates(self.outline, segment);
-        let zeta = &held - exact(knots[segment]);
-        let value = polynomial_of_height(&f, &h).at(&zeta)
-            - &h * &h * &h * (exact(self.outline.k) * &x * &x + &y * &y);
-        let value = float(&value) / float(&h).powi(3);
-        let wall = self.wall(segment, [float(&x), float(&y)], float(&zeta), value);
+        let profile = Powers::of(self.outline, segment);
+        let (h, zeta) = (&profile.h, &held - &profile.knot);
+        let value = profile.of_height().at(&zeta) - h * h * h * (exact(self.outline.k) * &x * &x + &y * &y);
+        let value = float(&value) / float(h).powi(3);
+        let wall = self.wall(&profile.rounded(), [float(&x), float(&y)], float(&zeta), value);
         wall.distance(doubt).max(beyond)
     }
 
     fn sample(&self, piece: &Piece, t: &Exact) -> Sample {
         let knots = &self.outline.knots;
         let [x, y, z] = point(&self.cast, t);
-        let h = f64::from(knots[piece.segment + 1]) - f64::from(knots[piece.segment]);
-        let value = float(&piece.g.at(t)) / h.powi(3);
-        let zeta = float(&(&z - exact(knots[piece.segment])));
-        let wall = self.wall(piece.segment, [float(&x), float(&y)], zeta, value);
+        let value = float(&piece.g.at(t)) / piece.profile.h.powi(3);
+        let zeta = float(&(&z - &piece.knot));
+        let wall = self.wall(&piece.profile, [float(&x), float(&y)], zeta, value);
         let [bottom, top] = [knots[0], knots[knots.len() - 1]].map(|knot| float(&(&z - exact(knot))).abs());
         let length = self.cast.direction.map(f64::from).iter().map(|d| d * d).sum::<f64>().sqrt();
         let to_start = float(&(t - exact(self.cast.t_min))) * length;
         Sample { t: float(t), wall, way: bottom.min(top).min(to_start).max(0.0) }
     }
 
-    fn wall(&self, segment: usize, [x, y]: [f64; 2], zeta: f64, value: f64) -> Wall {
-        let (f, h) = ordinates(self.outline, segment);
-        let [_, f1, f2, f3] = f.map(|f| float(&f));
-        let h = float(&h);
+    fn wall(&self, profile: &Rounded, [x, y]: [f64; 2], zeta: f64, value: f64) -> Wall {
+        let Rounded { f: [_, f1, f2, f3], h } = *profile;
         let (u, k) = ((zeta / h).clamp(0.0, 1.0), f64::from(self.outline.k));
         let slope = ((3.0 * f3 * u + 2.0 * f2) * u + f1) / h;
         let bend = ((3.0 * f3 * u + f2) / (h * h)).abs().max(1.0);
@@ -165,21 +206,6 @@ impl<'a> Truth<'a> {
 
 fn point(cast: &Cast, t: &Exact) -> [Exact; 3] {
     std::array::from_fn(|i| exact(cast.origin[i]) + exact(cast.direction[i]) * t)
-}
-
-/// f as powers of u, and h.
-fn ordinates(outline: &Outline, segment: usize) -> ([Exact; 4], Exact) {
-    let [b0, b1, b2, b3] = std::array::from_fn(|j| exact(outline.ordinates[3 * segment + j]));
-    let three = exact(3.0);
-    let (d1, d2) = (&b1 - &b0, &b2 - &b1);
-    let f = [b0.clone(), &three * &d1, &three * (&d2 - &d1), b3 - b0 - &three * &d2];
-    (f, exact(outline.knots[segment + 1]) - exact(outline.knots[segment]))
-}
-
-/// `h³·f` as a polynomial of ζ.
-fn polynomial_of_height(f: &[Exact; 4], h: &Exact) -> Polynomial {
-    let (h2, h3) = (h * h, h * h * h);
-    Polynomial(vec![&f[0] * &h3, &f[1] * &h2, &f[2] * h, f[3].clone()])
 }
 
 /// The ray's stretches in the slabs of the segments, in order.
@@ -194,24 +220,14 @@ fn pieces(outline: &Outline, cast: &Cast) -> Vec<Piece> {
         let segment = above.clamp(1, knots.len() - 1) - 1;
         let inside = knots[0] <= z && z <= knots[last + 1];
         let end = far_end(outline, cast).filter(|end| inside && *end > f64::from(cast.t_min));
-        return Vec::from_iter(end.map(|end| Piece {
-            segment,
-            g: along(outline, segment, cast),
-            from: start,
-            to: exact(end),
-        }));
+        return Vec::from_iter(end.map(|end| Piece::new(outline, segment, cast, start, exact(end))));
     }
     let plane = |knot: f32| quotient(&(exact(knot) - exact(z)), &exact(c));
     let piece = |segment: usize| {
         let mut ends = [plane(knots[segment]), plane(knots[segment + 1])];
         ends.sort();
         let [from, to] = ends;
-        (to > start).then(|| Piece {
-            segment,
-            g: along(outline, segment, cast),
-            from: from.max(start.clone()),
-            to,
-        })
+        (to > start).then(|| Piece::new(outline, segment, cast, from.max(start.clone()), to))
     };
     if c > 0.0 {
         (0..=last).filter_map(piece).collect()
@@ -221,13 +237,12 @@ fn pieces(outline: &Outline, cast: &Cast) -> Vec<Piece> {
 }
 
 /// `h³·g` as a polynomial of t.
-fn along(outline: &Outline, segment: usize, cast: &Cast) -> Polynomial {
-    let (f, h) = ordinates(outline, segment);
+fn along(profile: &Powers, k: f32, cast: &Cast) -> Polynomial {
     let [x, y, z] = cast.origin.map(exact);
     let [a, b, c] = cast.direction.map(exact);
-    let Polynomial(e) = polynomial_of_height(&f, &h);
-    let d = z - exact(outline.knots[segment]);
-    let (two, three, k, h3) = (exact(2.0), exact(3.0), exact(outline.k), &h * &h * &h);
+    let Polynomial(e) = profile.of_height();
+    let (d, h) = (z - &profile.knot, &profile.h);
+    let (two, three, k, h3) = (exact(2.0), exact(3.0), exact(k), h * h * h);
     let [e0, e1, e2, e3] = [&e[0], &e[1], &e[2], &e[3]];
     Polynomial(vec![
         e0 + e1 * &d + e2 * &d * &d + e3 * &d * &d * &d - &h3 * (&k * &x * &x + &y * &y),

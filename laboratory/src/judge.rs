@@ -50,12 +50,9 @@ impl Truth {
 
     fn above(floor: f64, c: &[f32], lo: f32, hi: f32) -> Self {
         let g = Polynomial::new(c);
-        let ends = [exact(lo), exact(hi)];
-        let mut places = vec![ends[0].clone()];
-        places.extend(g.turns(&ends[0], &ends[1]));
-        places.push(ends[1].clone());
-        let extremes = places.iter().map(|u| (float(u), ratio(&g, floor, u))).collect();
-        let roots = g.roots(&ends[0], &ends[1]).iter().map(float).collect();
+        let cuts = g.cuts(&exact(lo), &exact(hi));
+        let extremes = cuts.iter().map(|u| (float(u), ratio(&g, floor, u))).collect();
+        let roots = g.roots_between(&cuts).iter().map(float).collect();
         Self { g, floor, lo: lo.into(), hi: hi.into(), extremes, roots }
     }
 

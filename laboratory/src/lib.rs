@@ -28,6 +28,7 @@ pub mod firmware;
 pub mod forms;
 pub mod hits;
 pub mod judge;
+pub mod judged;
 pub mod lathes;
 pub mod lists;
 pub mod oracle;

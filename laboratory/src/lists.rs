@@ -131,34 +131,31 @@ pub fn is_certain(g: &Polynomial, [lo, hi]: [&Exact; 2], count: usize, units: f6
             _ => exact(f64::from(number / STEPS.pow(j - 1) % STEPS - STEPS / 2) * 0.25 * units / UNITS),
         };
         let near = Polynomial((0..).zip(&g.0).map(|(j, c)| c * (exact(1.0) + change(j))).collect());
-        levels(&near, [lo, hi], units).iter().any(|level| count_roots(level, lo, hi) == count)
+        let cuts = near.cuts(lo, hi);
+        levels(&near, &cuts, units).any(|level| count_roots(&level, &cuts) == count)
     })
 }
 
 /// The cubic with constant terms that differ by `units` at most: one for each number of roots that they can
-/// bring.
-fn levels(g: &Polynomial, [lo, hi]: [&Exact; 2], units: f64) -> Vec<Polynomial> {
+/// bring. All have the same cuts.
+fn levels(g: &Polynomial, cuts: &[Exact], units: f64) -> impl Iterator<Item = Polynomial> {
     let most = g.0[0].clone().abs() * exact(units / UNITS);
     let least = -&most;
     let mut lifts = vec![least.clone(), most.clone()];
-    lifts.extend(g.turns(lo, hi).iter().chain([lo, hi]).map(|place| -g.at(place)));
+    lifts.extend(cuts.iter().map(|place| -g.at(place)));
     lifts.retain(|lift| &least <= lift && lift <= &most);
     lifts.sort();
     let half = exact(0.5);
     let between: Vec<Exact> = lifts.windows(2).map(|pair| (&pair[0] + &pair[1]) * &half).collect();
-    let lifted = |lift: &Exact| {
+    [exact(0.0)].into_iter().chain(between).chain(lifts).map(|lift| {
         let mut lifted = g.clone();
         lifted.0[0] = &g.0[0] + lift;
         lifted
-    };
-    [exact(0.0)].iter().chain(&between).chain(&lifts).map(lifted).collect()
+    })
 }
 
-/// The number of roots in [lo, hi] at which the sign changes, and at lo and hi.
-fn count_roots(g: &Polynomial, lo: &Exact, hi: &Exact) -> usize {
-    let mut cuts = vec![lo.clone()];
-    cuts.extend(g.turns(lo, hi));
-    cuts.push(hi.clone());
+/// The number of roots at which the sign changes between the first and the last cut, and at these two.
+fn count_roots(g: &Polynomial, cuts: &[Exact]) -> usize {
     let signs: Vec<i32> = cuts.iter().map(|cut| sign(&g.at(cut))).collect();
     let ends = [signs.first(), signs.last()].iter().filter(|sign| **sign == Some(&0)).count();
     ends + signs.windows(2).filter(|pair| pair[0] * pair[1] < 0).count()

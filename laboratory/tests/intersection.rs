@@ -4,11 +4,12 @@
 
 use embedded_lathe::solve::Solver;
 use embedded_lathe::{Hit, Lathe, Part, Ray, Segment, Surface};
-use laboratory::cases::{Case, Family, cases, outlines, stepped_outlines};
+use laboratory::cases::{Case, Family, Outline, cases, outlines, stepped_outlines};
 use laboratory::lathes::{CAPACITY, is_in, lathe};
-use laboratory::oracle::{self, Band, Shape};
+use laboratory::oracle::{self, Band, Bands, Crossing, Shape};
 use laboratory::{PROMISE, ROUNDOFF, over_every_backend};
 use std::marker::PhantomData;
+use std::sync::LazyLock;
 
 const SEED: u64 = 1995;
 const RAYS: u64 = 90;
@@ -33,24 +34,44 @@ const TRAVERSED_POINT: f64 = 2.0;
 /// say. Measured: 1.7.
 const NORMAL: f64 = 4.0;
 
-struct Shot<'a> {
-    case: Case<'a>,
-    shape: &'a Shape,
-    lathe: &'a Lathe<[Segment; 16]>,
-    ray: Ray,
+/// An outline, as the oracle and the kernel take it.
+struct Turned {
+    outline: Outline,
+    shape: Shape,
+    lathe: Lathe<[Segment; 16]>,
 }
 
-fn every_shot(mut check: impl FnMut(&Shot)) {
-    for outline in outlines().iter().chain(&stepped_outlines()) {
-        let (shape, lathe) = (&outline.shape(), &lathe(outline));
-        for family in Family::ALL {
-            for case in cases(outline, family, SEED, RAYS) {
-                let ray = Ray::new(case.cast.origin, case.cast.direction).expect("a finite ray");
-                check(&Shot { case, shape, lathe, ray });
-            }
-        }
-    }
+struct Shot {
+    case: Case<'static>,
+    shape: &'static Shape,
+    lathe: &'static Lathe<[Segment; 16]>,
+    ray: Ray,
+    /// What the oracle knows of it.
+    bands: Bands,
+    crossings: Vec<Crossing>,
 }
+
+static TURNED: LazyLock<Vec<Turned>> = LazyLock::new(|| {
+    let outlines = outlines().into_iter().chain(stepped_outlines());
+    let turned = |outline: Outline| Turned { shape: outline.shape(), lathe: lathe(&outline), outline };
+    outlines.map(turned).collect()
+});
+
+/// The oracle is asked once for all solvers and backends.
+static SHOTS: LazyLock<Vec<Shot>> = LazyLock::new(|| {
+    let shots = TURNED.iter().flat_map(|Turned { outline, shape, lathe }| {
+        let cases = Family::ALL.into_iter().flat_map(|family| cases(outline, family, SEED, RAYS));
+        cases.map(move |case| Shot {
+            case,
+            shape,
+            lathe,
+            ray: Ray::new(case.cast.origin, case.cast.direction).expect("a finite ray"),
+            bands: oracle::bands(shape, &case.ray(), case.eps(CLEARANCE)),
+            crossings: oracle::crossings(shape, &case.ray()),
+        })
+    });
+    shots.collect()
+});
 
 /// The questions one asks of a ray.
 trait Questions {
@@ -114,7 +135,7 @@ over_every_backend!(by_the_traversal);
 /// Hits and misses, the order, kind and number of hits, shadows, and the error of the points.
 fn agrees_with_the_oracle<Q: Questions>() {
     let (mut shots, mut told, mut worst) = (0, 0, 0_f64);
-    every_shot(|shot| {
+    for shot in SHOTS.iter() {
         let t_min = shot.case.cast.t_min;
         let (nearest, hits) = (Q::nearest(shot), Q::hits(shot));
         shots += 1;
@@ -125,7 +146,7 @@ fn agrees_with_the_oracle<Q: Questions>() {
         assert!(hits.iter().all(|hit| hit.t > t_min && hit.t.is_finite() && (0.0..=1.0).contains(&hit.u)));
         assert!(hits.is_sorted_by(|one, next| one.t <= next.t && one.enters != next.enters), "{}", shot.case);
 
-        let bands = oracle::bands(shot.shape, &shot.case.ray(), shot.case.eps(CLEARANCE));
+        let bands = &shot.bands;
         match bands.sure.first() {
             Some(band) => {
                 let right = nearest.is_some_and(|hit| is_in(&hit, band));
@@ -147,7 +168,7 @@ fn agrees_with_the_oracle<Q: Questions>() {
         }
         assert!(rest.is_empty() || !bands.complete, "{rest:?} are none\n{}", shot.case);
         told += usize::from(bands.complete);
-    });
+    }
     assert!(shots >= 10_000, "{shots}");
     assert!(told > shots * 9 / 10, "{told} of {shots}");
     assert!(worst <= Q::POINT, "a point is off by {worst} units");
@@ -157,8 +178,7 @@ fn agrees_with_the_oracle<Q: Questions>() {
 /// The distance of a hit from the crossing in its band, along the normal. Zero where there is none or more
 /// than one.
 fn point_error(shot: &Shot, hit: &Hit, band: &Band) -> f64 {
-    let crossings = oracle::crossings(shot.shape, &shot.case.ray());
-    let mut within = crossings.iter().filter(|at| (band.from..=band.to).contains(&at.t));
+    let mut within = shot.crossings.iter().filter(|at| (band.from..=band.to).contains(&at.t));
     let (Some(at), None) = (within.next(), within.next()) else {
         return 0.0;
     };
@@ -172,7 +192,7 @@ fn point_error(shot: &Shot, hit: &Hit, band: &Band) -> f64 {
 fn normals_point_out_of_the_solid() {
     let mut worst = 0_f64;
     let (mut caps, mut rings) = (0, 0);
-    every_shot(|shot| {
+    for shot in SHOTS.iter() {
         for hit in shot.lathe.hits::<CAPACITY>(&shot.ray, shot.case.cast.t_min) {
             let Surface { point, normal, .. } = shot.lathe.surface(&shot.ray, &hit);
             let (point, normal) = (point.map(f64::from), normal.map(f64::from));
@@ -201,7 +221,7 @@ fn normals_point_out_of_the_solid() {
             rings += usize::from(hit.part == Part::Ring);
             caps += 1;
         }
-    });
+    }
     assert!(caps > 1_000 && rings > 1_000, "{caps} on caps and rings, {rings} on rings");
     assert!(worst <= NORMAL, "a normal is off by {worst} units");
     assert!(worst > NORMAL / 4.0, "the bound is slack: {worst} units");

@@ -15,6 +15,7 @@ use super::crossing::{Part, crossings};
 use super::line::{Line, Ray};
 use super::shape::Shape;
 use crate::{PROMISE, ROUNDOFF};
+use std::iter;
 
 /// A stretch of the ray that holds a crossing, whoever looks.
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +61,7 @@ pub fn certain(shape: &Shape, ray: &Ray) -> bool {
 /// The bands of `t > t_min` at this `eps` in object units, in order.
 pub fn bands(shape: &Shape, ray: &Ray, eps: f64) -> Bands {
     let line = Line::new(shape, ray);
-    let mut walk = Walk { shape, line: &line, eps, runs: Vec::new() };
+    let mut walk = Walk { shape, line: &line, eps, steps: steps(shape), runs: Vec::new() };
     let start = ray.t_min - line.t0;
     walk.push(Run::sure(Side::Out, start.min(0.0)));
     let reach = line.within(shape.widest() + eps).and_then(|span| walk.reach(span));
@@ -112,7 +113,18 @@ struct Walk<'a> {
     shape: &'a Shape,
     line: &'a Line,
     eps: f64,
+    steps: Vec<usize>,
     runs: Vec<Run>,
+}
+
+/// The knots whose plane is a step's or an end's. A pole is none: the wall closes by itself.
+fn steps(shape: &Shape) -> Vec<usize> {
+    let last = shape.segments();
+    let is_step = |&knot: &usize| {
+        let [below, above] = shape.radii(knot);
+        below != above || (knot == 0 || knot == last) && below > 0.0
+    };
+    (0..=last).filter(is_step).collect()
 }
 
 impl Walk<'_> {
@@ -150,18 +162,9 @@ impl Walk<'_> {
         side([square - at; 2], if square == 0.0 { 0.0 } else { tolerance })
     }
 
-    /// The knots whose plane is a step's or an end's. A pole is none: the wall closes by itself.
-    fn steps(&self) -> impl Iterator<Item = usize> + use<'_> {
-        let last = self.shape.segments();
-        (0..=last).filter(move |&knot| {
-            let [below, above] = self.shape.radii(knot);
-            below != above || (knot == 0 || knot == last) && below > 0.0
-        })
-    }
-
     /// Every height at which g, or what it means, changes its formula.
     fn planes(&self) -> Vec<f64> {
-        let steps = self.steps().map(|knot| self.shape.knots[knot]);
+        let steps = self.steps.iter().map(|&knot| self.shape.knots[knot]);
         let mut planes: Vec<f64> = steps.flat_map(|z| [z - self.eps, z + self.eps]).collect();
         planes.extend(&self.shape.knots);
         planes
@@ -193,7 +196,7 @@ impl Walk<'_> {
 
     fn ordinates(&self, s0: f64, s1: f64) -> Cubic {
         let middle = self.line.point(lerp(s0, s1, 0.5))[2];
-        let segment = self.shape.locate(middle).0;
+        let segment = self.shape.segment_at(middle);
         let (z, h) = (self.shape.knots[segment], self.shape.knots[segment + 1] - self.shape.knots[segment]);
         bernstein::through(std::array::from_fn(|i| {
             let s = lerp(s0, s1, i as f64 / 3.0);
@@ -216,10 +219,11 @@ impl Walk<'_> {
         let middle = lerp(s0, s1, 0.5);
         let z = self.line.point(middle)[2];
         let wall = range(self.ordinates(s0, s1));
-        let mut all = vec![(wall, side(wall, tolerance))];
+        let wall = (wall, side(wall, tolerance));
         // The planes that are near, and those whose sides differ.
-        let (mut near, mut planes) = (0, 0);
-        for knot in self.steps().filter(|&knot| (z - self.shape.knots[knot]).abs() <= self.eps) {
+        let (mut near, mut planes, mut rings) = (0, 0, Vec::new());
+        let is_near = |knot: &usize| (z - self.shape.knots[*knot]).abs() <= self.eps;
+        for knot in self.steps.iter().copied().filter(is_near) {
             let ring = self.shape.radii(knot).map(|square| range(self.below(square, s0, s1)));
             let sides = ring.map(|range| side(range, tolerance));
             // Beyond a cap is nothing, beside the axis, too.
@@ -232,12 +236,13 @@ impl Walk<'_> {
             if sides[0] != sides[1] {
                 planes |= 1 << knot;
             }
-            all.extend(ring.into_iter().zip(sides));
+            rings.extend(ring.into_iter().zip(sides));
         }
         let run = Run { side: Side::Either, wall: false, planes, s: [s0, s1] };
-        if all.iter().all(|(_, side)| *side != Side::Either) {
-            let first = all[0].1;
-            let is_one = all.iter().all(|(_, side)| *side == first);
+        let mut all = iter::once(&wall).chain(&rings);
+        if all.clone().all(|(_, side)| *side != Side::Either) {
+            let first = wall.1;
+            let is_one = all.all(|(_, side)| *side == first);
             return self.push(if is_one { Run { side: first, planes: 0, ..run } } else { run });
         }
         // To call a stretch a band is always sound; this is how finely it is worth deciding.
@@ -245,7 +250,7 @@ impl Walk<'_> {
         let is_fine = |&[low, high]: &[f64; 2]| {
             low.abs().max(high.abs()) <= about || (high - low <= about / 4.0 && tolerance <= 1.5 * about)
         };
-        let mut unsure = all.iter().filter(|(_, side)| *side == Side::Either);
+        let mut unsure = all.filter(|(_, side)| *side == Side::Either);
         if unsure.any(|(range, _)| is_fine(range)) || depth == 40 {
             return self.push(Run { wall: true, planes: near, ..run });
         }

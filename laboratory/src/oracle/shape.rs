@@ -101,10 +101,14 @@ impl Shape {
         crate::unit(self.size(), x.hypot(y).hypot(z - self.middle()))
     }
 
+    /// The segment at a height; below the profile it is the first, above the last.
+    pub fn segment_at(&self, z: f64) -> usize {
+        self.knots.partition_point(|&knot| knot <= z).clamp(1, self.segments()) - 1
+    }
+
     /// Segment and parameter of a height, both clamped to the profile.
     pub fn locate(&self, z: f64) -> (usize, f64) {
-        let above = self.knots.partition_point(|&knot| knot <= z);
-        let segment = above.clamp(1, self.segments()) - 1;
+        let segment = self.segment_at(z);
         let (low, high) = (self.knots[segment], self.knots[segment + 1]);
         (segment, ((z - low) / (high - low)).clamp(0.0, 1.0))
     }
@@ -116,7 +120,7 @@ impl Shape {
 
     /// Largest `|df/dz|` between two heights; beyond the ends f is constant.
     pub fn steepest(&self, low: f64, high: f64) -> f64 {
-        let (first, last) = (self.locate(low).0, self.locate(high).0);
+        let (first, last) = (self.segment_at(low), self.segment_at(high));
         let within = |segment: usize| {
             let (z, h) = (self.knots[segment], self.knots[segment + 1] - self.knots[segment]);
             let u = |height: f64| ((height - z) / h).clamp(0.0, 1.0);

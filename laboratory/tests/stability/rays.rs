@@ -2,6 +2,7 @@
 
 use laboratory::forms::METHODS;
 use laboratory::hits::Truth;
+use laboratory::judged::Judged;
 use laboratory::oracle;
 use laboratory::tally::Tally;
 use laboratory::troubles::Trouble;
@@ -19,14 +20,15 @@ fn tallies(trouble: &Trouble) -> Vec<Tally> {
         let case = trouble.case(SEED, index);
         let truth = Truth::new(&case);
         hits += u64::from(!truth.crossings.is_empty());
+        let mut judged = Judged::default();
         for (tally, (form, solver, nearest)) in tallies.iter_mut().zip(METHODS) {
             let answer = nearest(case.outline, &case.cast);
-            let units = truth.judge(answer);
+            let judge = |answer| (truth.judge(answer), truth.judge_unsure(answer, trouble.doubt));
+            let (units, unexcused) = judged.verdict(answer, judge);
             tally.add(units, None);
-            let units = truth.judge_unsure(answer, trouble.doubt);
             assert!(
-                *form != "crate" || units <= PROMISE,
-                "{} by {solver}: {case}\n  {answer:?} is {units} units off, crossings {:?}",
+                *form != "crate" || unexcused <= PROMISE,
+                "{} by {solver}: {case}\n  {answer:?} is {unexcused} units off, crossings {:?}",
                 trouble.name,
                 truth.crossings,
             );

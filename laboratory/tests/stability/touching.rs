@@ -13,6 +13,7 @@ use embedded_lathe::Profile;
 use laboratory::cases::{Cast, Outline};
 use laboratory::forms::METHODS;
 use laboratory::hits::Truth;
+use laboratory::judged::Judged;
 use laboratory::{PROMISE, ROUNDOFF, TOUCHING};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -83,16 +84,22 @@ fn necks_are_known_as_well_as_their_ordinates() {
             let cast = cast(&mut rng, z, index % 4 == 0);
             let truth = Truth::of(&outline, cast, outline.unit(cast.origin));
             met += u32::from(!truth.crossings.is_empty());
+            let judge = |answer| {
+                let [by_promise, by_a_quarter] =
+                    [1.0, 0.25].map(|share| truth.judge_unsure(answer, share * TOUCHING * unit));
+                (by_promise, by_a_quarter, truth.judge(answer))
+            };
+            let mut judged = Judged::default();
             for (_, solver, nearest) in METHODS.iter().filter(|(form, ..)| *form == "crate") {
                 let answer = nearest(&outline, &cast);
-                let units = truth.judge_unsure(answer, TOUCHING * unit);
+                let (units, by_a_quarter, certain) = judged.verdict(answer, judge);
                 assert!(
                     units <= PROMISE,
                     "{solver}: {outline:?} {cast:?}: {answer:?} is {units} units off, crossings {:?}",
                     truth.crossings
                 );
-                displaced = displaced.max(truth.judge(answer));
-                beyond_a_quarter += u32::from(truth.judge_unsure(answer, 0.25 * TOUCHING * unit) > PROMISE);
+                displaced = displaced.max(certain);
+                beyond_a_quarter += u32::from(by_a_quarter > PROMISE);
             }
         }
     }

@@ -1,4 +1,5 @@
-//! Flash and RAM that the library adds to firmware in Cargo's profile `small`: as README's table has them. The solids'
+//! Flash and RAM that the library adds to firmware, in Cargo's profile `small` and, for the renderer, in `release`, whose
+//! speed README tells: as README's table has them. The solids'
 //! segments are in what is subtracted, too: they are the user's. So are the demo's own functions.
 //!
 //! ```text
@@ -60,6 +61,7 @@ struct Row {
     without: &'static str,
     /// A module of functions of its own, as symbols name it.
     own: Option<&'static str>,
+    profile: &'static str,
     /// The features of what is measured, not of what is subtracted.
     options: &'static [&'static str],
     targets: &'static [&'static str],
@@ -71,16 +73,23 @@ const NOTHING: Row = Row {
     with: "",
     without: "footprint-nothing",
     own: None,
+    profile: firmware::SMALL,
     options: &[],
     targets: &[M0, M3, M4F],
 };
 const LOGGED: Row = Row { options: &["--features", "defmt"], ..NOTHING };
 const DEMO: Row = Row { with: "oled", without: "", targets: &[M3, M4F], ..NOTHING };
 
-const ROWS: [Row; 6] = [
+const ROWS: [Row; 7] = [
     Row { title: "intersection", with: "footprint-ray", ..NOTHING },
     Row { title: "intersection, logged by defmt", with: "footprint-ray", ..LOGGED },
     Row { title: "renderer", with: "footprint-renderer", ..NOTHING },
+    Row {
+        title: "renderer, release profile",
+        with: "footprint-renderer",
+        profile: firmware::RELEASE,
+        ..NOTHING
+    },
     Row { title: "renderer, logged by defmt", with: "footprint-renderer", ..LOGGED },
     Row {
         title: "OLED demo, the library's part",
@@ -93,7 +102,7 @@ const ROWS: [Row; 6] = [
 
 impl Row {
     fn added(&self, target: &str) -> Footprint {
-        let path = |example, options| firmware::build(target, example, firmware::SMALL, options);
+        let path = |example, options| firmware::build(target, example, self.profile, options);
         let with = path(self.with, self.options);
         let own = Footprint { flash: self.own.map_or(0, |module| own(&with, module)), ram: 0 };
         let added = footprint(&with) - own;

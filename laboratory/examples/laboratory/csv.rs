@@ -39,3 +39,15 @@ pub fn costs(file: &str) -> Result<BTreeMap<Method, (f64, f64)>, Box<dyn Error>>
     };
     Ok(costs.into_iter().map(|(method, costs)| (method, sum(costs))).collect())
 }
+
+/// The columns of docs/instructions.csv with instructions a pixel and with cycles a pixel.
+pub const INSTRUCTIONS: usize = 5;
+pub const CYCLES: usize = 8;
+
+/// A number of docs/instructions.csv, by its line's machine and scene, and its column.
+pub fn recorded(machine: &str, scene: &str, column: usize) -> Result<f64, Box<dyn Error>> {
+    let lines = rows("docs/instructions.csv")?;
+    let line = lines.iter().find(|row| row[0] == machine && row.get(1).is_some_and(|name| name == scene));
+    let line = line.ok_or_else(|| format!("docs/instructions.csv has no {scene} on {machine}"))?;
+    Ok(line[column].parse()?)
+}

@@ -6,13 +6,14 @@
 //! cargo run --release --example laboratory -- cost       docs/cost-host.csv, docs/cost-sextic.csv, counted by valgrind
 //! cargo run --release --example laboratory -- charts     docs/cost-and-error.svg, docs/cost-and-error-soft-float.svg
 //! cargo run --release --example laboratory -- pictures   docs/pictures.csv, docs/pictures.svg: whole pictures, and those of other renderers
-//! cargo run --release --example laboratory -- page       the tables of docs/ACCURACY.md, from the CSV files
+//! cargo run --release --example laboratory -- page       the tables of docs/ACCURACY.md and docs/SPEED.md, from the CSV files
 //! cargo run --release --example laboratory -- atlas      docs/atlas-*.png, docs/eye-level.png
 //! cargo run --release --example laboratory -- soak 60    60 minutes of fresh questions; what the crate gets wrong, printed
 //! .ci/solvers                                            docs/cost-m4f.csv, docs/cost-m3.csv, counted by QEMU
 //! ```
 
 mod atlas;
+mod boards;
 mod charts;
 mod cost;
 mod csv;

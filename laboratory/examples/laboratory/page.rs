@@ -1,19 +1,22 @@
-//! The tables of `docs/ACCURACY.md`, from the CSV files, each between its two marks.
+//! The tables of `docs/ACCURACY.md` and `docs/SPEED.md`, from the CSV files, each between its two marks.
 
+use crate::boards;
 use crate::csv::{costs, rows};
 use std::error::Error;
 use std::fmt::Write;
 
-const PAGE: &str = "docs/ACCURACY.md";
+const ACCURACY: &str = "docs/ACCURACY.md";
+const SPEED: &str = "docs/SPEED.md";
 
 type Text = Result<String, Box<dyn Error>>;
 
 pub fn write() -> Result<(), Box<dyn Error>> {
-    insert("solvers", &solvers()?)?;
-    insert("failures", &matrix("docs/solvers.csv", SOLVERS)?)?;
-    insert("intersections", &matrix("docs/intersections.csv", INTERSECTIONS)?)?;
-    insert("displacements", &displacements()?)?;
-    insert("sextic", &sextic()?)
+    insert(ACCURACY, "solvers", &solvers()?)?;
+    insert(ACCURACY, "failures", &matrix("docs/solvers.csv", SOLVERS)?)?;
+    insert(ACCURACY, "intersections", &matrix("docs/intersections.csv", INTERSECTIONS)?)?;
+    insert(ACCURACY, "displacements", &displacements()?)?;
+    insert(ACCURACY, "sextic", &sextic()?)?;
+    insert(SPEED, "boards", &boards::table()?)
 }
 
 /// A line a method: what it gets wrong, and what it costs.
@@ -165,11 +168,11 @@ fn sextic() -> Text {
 }
 
 /// Puts a table between its two marks.
-fn insert(name: &str, table: &str) -> Result<(), Box<dyn Error>> {
-    let page = std::fs::read_to_string(PAGE)?;
+fn insert(file: &str, name: &str, table: &str) -> Result<(), Box<dyn Error>> {
+    let page = std::fs::read_to_string(file)?;
     let (from, to) = (format!("<!-- {name} -->\n"), format!("<!-- /{name} -->"));
-    let (before, rest) = page.split_once(&from).ok_or_else(|| format!("{PAGE} has no {from}"))?;
-    let (_, after) = rest.split_once(&to).ok_or_else(|| format!("{PAGE} has no {to}"))?;
-    std::fs::write(PAGE, format!("{before}{from}{table}{to}{after}"))?;
+    let (before, rest) = page.split_once(&from).ok_or_else(|| format!("{file} has no {from}"))?;
+    let (_, after) = rest.split_once(&to).ok_or_else(|| format!("{file} has no {to}"))?;
+    std::fs::write(file, format!("{before}{from}{table}{to}{after}"))?;
     Ok(())
 }

@@ -8,7 +8,7 @@
 #[path = "../../../examples/scenes/mod.rs"]
 mod scenes;
 
-use crate::csv::rows;
+use crate::csv::{CYCLES, INSTRUCTIONS, recorded};
 use crate::plot::{self, Axis, Panel, Point};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_lathe::math::{Libm, Micromath, Native};
@@ -116,7 +116,7 @@ pub fn write() -> Result<(), Box<dyn Error>> {
                 all.push(Judged {
                     name: way.name.to_owned(),
                     is_ours: true,
-                    cost: cost(machine, way.line, column)?,
+                    cost: recorded(machine, way.line, column)?,
                     accuracy,
                 });
             }
@@ -129,7 +129,7 @@ pub fn write() -> Result<(), Box<dyn Error>> {
             }
             Ok(all)
         };
-    let (m4f, m3) = (judged("m4f", 8, TFT, &ON_M4F)?, judged("m3", 5, OLED, &ON_M3)?);
+    let (m4f, m3) = (judged("m4f", CYCLES, TFT, &ON_M4F)?, judged("m3", INSTRUCTIONS, OLED, &ON_M3)?);
     std::fs::write("docs/pictures.csv", table)?;
     let mask = |all: &[Judged]| all.iter().map(|judged| judged.point(judged.accuracy.mask.into())).collect();
     let wrong = |pixels: u32| Axis {
@@ -178,14 +178,6 @@ impl Judged {
         let color = if self.is_ours { CRATE } else { OTHER };
         Point { label: self.name.clone(), color, cost: self.cost, error }
     }
-}
-
-/// Instructions or cycles a pixel in the record.
-fn cost(machine: &str, scene: &str, column: usize) -> Result<f64, Box<dyn Error>> {
-    let line = rows("docs/instructions.csv")?
-        .into_iter()
-        .find(|row| row[0] == machine && row.get(1).is_some_and(|s| s == scene));
-    Ok(line.ok_or_else(|| format!("docs/instructions.csv has no {scene} on {machine}"))?[column].parse()?)
 }
 
 /// The rays of a picture's pixels, row by row.

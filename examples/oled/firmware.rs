@@ -16,7 +16,7 @@ fn main() -> ! {
     let mut buffer = [0; 64];
     let mut words = host::arguments(&mut buffer);
     if let (Some(name), Some(last)) = (words.next(), words.next()) {
-        for n in 0..=number(last) {
+        for n in 0..=host::number(last) {
             if show::draw(name, n, &mut panel).is_none() {
                 exit(false);
             }
@@ -27,6 +27,11 @@ fn main() -> ! {
         }
     }
 
+    host::say(
+        b"On the board's panel, 128 by 64 pixels in 16 grays: a test card, then a vase, swung about,\n",
+    );
+    host::say(b"then a ball that goes round a pawn. 24 frames each.\n");
+    host::say(host::WHERE_TO_LOOK);
     if let Some(core) = Peripherals::take() {
         let mut delay = Delay::new(core.SYST, CLOCK_HZ);
         for name in show::NAMES {
@@ -37,8 +42,4 @@ fn main() -> ! {
         }
     }
     exit(true)
-}
-
-fn number(digits: &[u8]) -> u32 {
-    digits.iter().fold(0, |n, d| n.wrapping_mul(10).wrapping_add(u32::from(d & 15)))
 }

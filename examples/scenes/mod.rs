@@ -3,6 +3,7 @@
 
 pub mod dial;
 pub mod fine;
+pub mod orbit;
 pub mod shapes;
 
 use core::f32::consts::PI;

@@ -7,6 +7,8 @@
 
 #[path = "../../examples/oled/card.rs"]
 mod card;
+#[path = "../../examples/dial/show.rs"]
+mod dial;
 #[allow(dead_code)]
 #[path = "../../examples/scenes/mod.rs"]
 mod scenes;
@@ -52,17 +54,28 @@ impl DrawTarget for Canvas {
     }
 }
 
+/// The scenes of the examples, each with the example's name.
+fn scenes() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let oled = show::NAMES.map(|name| ("oled", str::from_utf8(name).unwrap()));
+    oled.into_iter().chain([("dial", "turn")])
+}
+
 /// What the host draws, up to frame `last` as the firmware does.
-fn drawn(scene: &[u8], last: u32) -> Pixels {
+fn drawn(scene: &str, last: u32) -> Pixels {
     let mut canvas = Canvas([[0; 128]; 64]);
+    let mut screen = dial::Screen::new();
     for n in 0..=last {
-        show::draw(scene, n, &mut canvas).expect("the scene is there");
+        let is_drawn = match scene {
+            "turn" => screen.draw(n, &mut canvas),
+            _ => show::draw(scene.as_bytes(), n, &mut canvas),
+        };
+        is_drawn.expect("the scene is there");
     }
     canvas.0
 }
 
 /// What the board's panel shows: the firmware says when it has drawn, then QEMU's monitor saves the picture.
-fn shown(target: &str, elf: &Path, scene: &str, last: u32) -> Pixels {
+fn shown(target: &str, elf: &Path, example: &str, scene: &str, last: u32) -> Pixels {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let picture = format!("{scene}-{last}-{target}.ppm");
     let cpu = if target == firmware::M3 { "cortex-m3" } else { "cortex-m4" };
@@ -81,7 +94,7 @@ fn shown(target: &str, elf: &Path, scene: &str, last: u32) -> Pixels {
             "stdio",
         ])
         .arg("-semihosting-config")
-        .arg(format!("enable=on,target=native,arg=oled,arg={scene},arg={last}"))
+        .arg(format!("enable=on,target=native,arg={example},arg={scene},arg={last}"))
         .arg("-kernel")
         .arg(elf)
         .stdin(Stdio::piped())
@@ -116,13 +129,13 @@ fn difference(a: &Pixels, b: &Pixels) -> Option<(usize, usize)> {
 }
 
 fn compare(target: &str) {
-    let elf = firmware::build(target, "oled", firmware::SMALL, &[]);
-    for scene in show::NAMES {
+    let [oled, dial] = ["oled", "dial"].map(|example| firmware::build(target, example, firmware::SMALL, &[]));
+    for (example, scene) in scenes() {
+        let elf = if example == "oled" { &oled } else { &dial };
         let mut earlier: Option<Pixels> = None;
         for n in FRAMES {
             let ours = drawn(scene, n);
-            let scene = str::from_utf8(scene).unwrap();
-            let theirs = shown(target, &elf, scene, n);
+            let theirs = shown(target, elf, example, scene, n);
             if let Some((x, y)) = difference(&ours, &theirs) {
                 panic!(
                     "{scene} {n} on {target}: pixel ({x}, {y}) is {}, drawn as {}",
@@ -149,23 +162,52 @@ fn cortex_m4f_draws_as_the_host() {
 
 #[test]
 fn one_differing_pixel_is_found() {
-    let ours = drawn(b"vase", 1);
+    let ours = drawn("vase", 1);
     let mut theirs = ours;
     theirs[63][127] ^= 1;
     assert_eq!(difference(&ours, &ours), None);
     assert_eq!(difference(&ours, &theirs), Some((127, 63)));
 }
 
+/// Of a turning knob a frame draws the number and a rectangle of the pointer's size; the panel shows what it shows if all of the
+/// knob's picture is drawn.
+#[test]
+fn a_turning_dial_draws_little() {
+    let mut canvas = Canvas([[0; 128]; 64]);
+    let mut screen = dial::Screen::new();
+    for n in 0..2 * dial::STEPS {
+        let before = canvas.0;
+        screen.draw(n, &mut canvas).unwrap();
+        let mut whole = Canvas(canvas.0);
+        let mut anew = dial::Screen::new();
+        anew.draw(0, &mut whole).unwrap();
+        // The first frame of another screen, which draws all of the picture, and then the second one's rectangle.
+        anew.draw(n, &mut whole).unwrap();
+        let differ =
+            (0..64 * 128).filter(|i| canvas.0[i / 128][i % 128] != whole.0[i / 128][i % 128]).count();
+        assert!(differ <= 2, "{differ} pixels differ in frame {n}");
+        if n > 0 {
+            let area = screen.changed;
+            assert!(area.size.width * area.size.height < 68 * 64 / 6, "{area:?}");
+            for (x, y) in (0..64).flat_map(|y| (0..128).map(move |x| (x, y))) {
+                let is_changed = before[y][x] != canvas.0[y][x];
+                let is_within = area.contains(Point::new(x as i32, y as i32)) || x < 60;
+                assert!(is_within || !is_changed, "frame {n}: {x}, {y}");
+            }
+        }
+    }
+}
+
 /// Three frames of each scene, each pixel four by four.
 #[test]
 #[ignore = "writes docs/panel.png"]
 fn write() {
-    let elf = firmware::build(firmware::M3, "oled", firmware::SMALL, &[]);
-    let mut sheet = SimulatorDisplay::<Gray4>::new(Size::new(3 * 132 - 4, 2 * 68 - 4));
+    let mut sheet = SimulatorDisplay::<Gray4>::new(Size::new(3 * 132 - 4, 3 * 68 - 4));
     sheet.clear(Gray4::WHITE).unwrap();
-    for (row, scene) in ["vase", "pawn"].iter().enumerate() {
+    for (row, (example, scene)) in scenes().filter(|(_, scene)| *scene != "card").enumerate() {
+        let elf = firmware::build(firmware::M3, example, firmware::SMALL, &[]);
         for (column, n) in [1, 10, 17].into_iter().enumerate() {
-            let pixels = shown(firmware::M3, &elf, scene, n);
+            let pixels = shown(firmware::M3, &elf, example, scene, n);
             let at = Rectangle::new(Point::new(132 * column as i32, 68 * row as i32), Size::new(128, 64));
             sheet.fill_contiguous(&at, pixels.into_iter().flatten().map(Gray4::new)).unwrap();
         }

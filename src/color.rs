@@ -227,6 +227,14 @@ pub trait Paint: Copy {
     /// that of `SHADES`; [`Shades::nearest`] and [`Shades::units`] return them.
     fn shade(shades: Shades, x: u32, y: u32) -> Self;
 
+    /// The color of a pixel that shows no solid, given the background's color in shades: the same as a
+    /// solid's. [`Option`] returns `None` instead.
+    #[inline(always)]
+    #[must_use]
+    fn background(shades: Shades, x: u32, y: u32) -> Self {
+        Self::shade(shades, x, y)
+    }
+
     /// The color of the pixel in column x, row y, for a color of the renderer.
     #[must_use]
     fn paint(color: Rgb, x: u32, y: u32) -> Self {
@@ -243,6 +251,41 @@ impl Paint for Rgb {
         let share = |units: u32| units as f32 * (1.0 / (128.0 * Shades::ONE as f32));
         let [r, g, b] = shades.units().map(share);
         Rgb::new(r, g, b)
+    }
+}
+
+/// A color where a solid is seen, and `None` where the background is: for what is drawn over something else.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use embedded_lathe::*;
+/// # static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
+/// # static SCENE: Scene = Scene::new(
+/// #     &[Solid::new(&BALL, Rgb::WHITE)],
+/// #     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+/// #     valid!(Light::new([-1.0, -1.0, 1.0], 0.1)),
+/// # );
+///
+/// // A row of something else, and a ball over it.
+/// let mut row = [Rgb565::new(0, 20, 0); 60];
+/// let mut ball = [None; 60];
+/// SCENE.picture(60, 60).row(30, &mut ball);
+/// for (pixel, ball) in row.iter_mut().zip(ball) {
+///     *pixel = ball.unwrap_or(*pixel);
+/// }
+/// assert!(row[4] == Rgb565::new(0, 20, 0) && row[5] != row[4]);
+/// ```
+impl<C: Paint> Paint for Option<C> {
+    const SHADES: Rgb = C::SHADES;
+
+    #[inline(always)]
+    fn shade(shades: Shades, x: u32, y: u32) -> Self {
+        Some(C::shade(shades, x, y))
+    }
+
+    #[inline(always)]
+    fn background(_: Shades, _: u32, _: u32) -> Self {
+        None
     }
 }
 

@@ -3,11 +3,13 @@
 mod bytes;
 mod covered;
 mod dither;
+mod overlay;
 mod paint;
 mod placed;
 mod rgb888;
 
 pub use covered::Redraw;
+pub use overlay::Overlay;
 pub use placed::Placed;
 
 use crate::camera::Camera;

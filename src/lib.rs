@@ -56,7 +56,7 @@
 //! | [`Camera::project`], [`Camera::framing`] | a point, solids | the pixel that shows it, a camera that sees them |
 //! | [`Pick`] | a ray, a pixel | the solid that is hit first |
 //! | [`Picture`] | a scene, a size | rows of pixels, one at a time; the rectangle that solids cover |
-//! | [`Picture::at`], [`Scene::draw`], [`PictureImage`] | a picture, a scene | a `DrawTarget` of embedded-graphics |
+//! | [`Picture::at`], [`Overlay`], [`Scene::draw`], [`PictureImage`] | a picture, a scene | a `DrawTarget` of embedded-graphics |
 //!
 //! # How it is called
 //!
@@ -181,7 +181,7 @@ pub use bernstein::Bernstein;
 pub use camera::Camera;
 pub use color::{Background, Paint, Rgb, Shades};
 pub use cubic::Cubic;
-pub use draw::{PictureImage, Placed, Redraw};
+pub use draw::{Overlay, PictureImage, Placed, Redraw};
 pub use hit::{Hit, Part};
 pub use lathe::{Lathe, Segment};
 pub use light::Light;

@@ -276,6 +276,103 @@ fn an_error_in_the_middle_is_returned() {
     }
 }
 
+/// Without its background a picture is drawn where rays hit a solid, and nowhere else; in runs of a row, each pixel once, in the
+/// colors of the whole picture. Over anything.
+#[test]
+fn only_the_solids_are_drawn_over_what_is_there() {
+    let mut rng = ChaCha8Rng::seed_from_u64(12);
+    let mut compared = Compared::default();
+    let (mut pixels, mut differ, mut most_calls) = (0, 0, 0);
+    let mut check = |scene: &Scene, rng: &mut ChaCha8Rng, what: &str| {
+        let picture = scene.picture(rng.random_range(1..90), rng.random_range(1..60));
+        let position = Point::new(rng.random_range(-20..20), rng.random_range(-20..20));
+        let screen = area(0, 0, 80, 50);
+        let window = area(rng.random_range(0..20), rng.random_range(0..20), 70, 45);
+        let by = Point::new(rng.random_range(-9..9), rng.random_range(-9..9));
+        let room = [0, 1, 7, 40, 200][rng.random_range(0..5)];
+        let overlay = picture.at::<Rgb565>(position).without_background();
+        assert_eq!(overlay.bounding_box(), picture.at::<Rgb565>(position).bounding_box());
+        let mut display = Recorder::new(screen);
+        overlay.draw_by_rows(&mut display.clipped(&window).translated(by), &mut vec![None; room]).unwrap();
+        let (at, room) = (position + by, if room == 0 { 40 } else { room });
+        let all = Rectangle::new(at, Size::new(picture.width(), picture.height()));
+        let seen = all.intersection(&screen).intersection(&window);
+        let whole = whole(&picture);
+        for &(x, y) in &display.written {
+            assert!(seen.contains(Point::new(x, y)), "{what}: {x}, {y} is not in {seen:?}");
+            let (column, row) = ((x - at.x) as usize, (y - at.y) as usize);
+            compared.add(display.at(x, y).unwrap(), whole[row * picture.width() as usize + column], what);
+        }
+        assert_eq!(display.written.len(), display.shown.len(), "{what}: a pixel is drawn twice");
+        for (x, y) in points(&seen) {
+            let ray =
+                scene.camera.ray_at(Point::new(x, y) - at, Size::new(picture.width(), picture.height()));
+            let is_hit = scene.nearest(&ray, 0.0).is_some();
+            pixels += 1;
+            differ += usize::from(is_hit != display.at(x, y).is_some());
+        }
+        // Runs are as long as the memory allows.
+        for pair in display.calls.windows(2) {
+            let [one, next] = [pair[0], pair[1]].map(|run| (run.top_left, run.size.width as i32));
+            assert!(pair[1].size.height == 1 && next.1 <= room as i32);
+            let is_cut = (next.0.x - seen.top_left.x) % room as i32 == 0;
+            assert!(
+                one.0.y < next.0.y || one.0.x + one.1 < next.0.x || one.0.x + one.1 == next.0.x && is_cut,
+                "{what}: {pair:?}"
+            );
+        }
+        most_calls = most_calls.max(display.calls.len());
+    };
+    for (name, scene) in scenes::NAMED {
+        (0..4).for_each(|_| check(scene, &mut rng, name));
+    }
+    for case in 0..200 {
+        let lathes = random::random_lathes(&mut rng);
+        let solids = random::posed(&mut rng, &lathes);
+        let scene = Scene::new(&solids, random::random_camera(&mut rng), scenes::DAYLIGHT);
+        check(&scene, &mut rng, &format!("case {case}"));
+    }
+    println!("{differ} of {pixels} pixels differ from single rays; at most {most_calls} calls");
+    compared.assert_few();
+    assert!(
+        pixels > 100_000 && differ * 10_000 <= pixels && most_calls > 80,
+        "{differ} of {pixels}, {most_calls}"
+    );
+}
+
+/// Another solid's picture, and text beside it, stay where the solid is not: the vase in front of the bowl.
+#[test]
+fn a_picture_lies_over_another() {
+    let (width, height) = (70, 60);
+    let mut display = Recorder::of_size(width, height);
+    scenes::BOWL_SCENE.draw(&mut display).unwrap();
+    let below = display.clone();
+    display.next_frame();
+    let picture = scenes::VASE_SCENE.picture(width, height);
+    let placed = picture.at(Point::zero());
+    // The rectangle that the vase covers is enough.
+    placed.only(&placed.covered()).without_background().draw(&mut display).unwrap();
+    let mut rows = vec![None; (width * height) as usize];
+    rows.chunks_mut(width as usize).zip(0..).for_each(|(row, y)| picture.row::<Option<Rgb565>>(y, row));
+    let mut compared = Compared::default();
+    let mut over = 0;
+    for (i, color) in rows.into_iter().enumerate() {
+        let (x, y) = ((i % width as usize) as i32, (i / width as usize) as i32);
+        match color {
+            Some(color) => compared.add(display.at(x, y).unwrap(), color, "the vase"),
+            None => assert_eq!(display.at(x, y), below.at(x, y), "{x}, {y}"),
+        }
+        over += usize::from(color.is_some());
+    }
+    assert!(over > 1_000 && compared.differ <= 1 && display.written.len() == over, "{over}");
+    // A display's error ends it.
+    for after in (0..over).step_by(97) {
+        let mut display = Recorder::of_size(width, height).failing_after(after);
+        assert_eq!(placed.without_background().draw(&mut display), Err("cable"));
+        assert_eq!(display.written.len(), after);
+    }
+}
+
 /// A ball that moves in front of a vase, drawn by its rectangle alone: the display shows what whole frames show.
 #[test]
 fn only_what_changed_is_drawn_again() {

@@ -231,7 +231,7 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
     }
 
     /// The columns and rows that are drawn and that lie in a rectangle of the display.
-    fn within(&self, area: &Rectangle) -> Extent {
+    pub(super) fn within(&self, area: &Rectangle) -> Extent {
         let Extent { left, top, right, bottom } = self.part;
         let Rectangle { top_left: Point { x, y }, size: Size { width, height } } = *area;
         let (left, right) = cut(x, width, self.position.x, left, right);
@@ -241,7 +241,7 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
 
     /// The rectangle of the display where columns and rows of the picture are. Of one that ends beyond the
     /// range of an `i32` what is within that range, so that embedded-graphics can compute with it.
-    fn on_display(&self, part: Extent) -> Rectangle {
+    pub(super) fn on_display(&self, part: Extent) -> Rectangle {
         let (x, width) = placed(part.left, part.right, self.position.x);
         let (y, height) = placed(part.top, part.bottom, self.position.y);
         Rectangle::new(Point::new(x, y), Size::new(width, height))

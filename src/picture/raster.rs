@@ -98,7 +98,7 @@ impl Raster<'_> {
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         let shades = self.scene.background.row(y, self.height).shades(most_shades::<C>()).rounded();
         for (pixel, x) in part.iter_mut().zip(x..) {
-            *pixel = C::shade(shades, x, y);
+            *pixel = C::background(shades, x, y);
         }
     }
 

@@ -1,0 +1,111 @@
+//! A picture without its background: the solids' pixels alone, over what a display shows already.
+
+use super::blank;
+use super::placed::Placed;
+use crate::color::Paint;
+use crate::extent::Extent;
+use embedded_graphics_core::{
+    Drawable, draw_target::DrawTarget, geometry::Dimensions, pixelcolor::PixelColor, primitives::Rectangle,
+};
+
+/// A [`Placed`] picture without its background: only the pixels that show a solid are drawn, and no other pixel
+/// is touched. Text, an image or another picture stays around the solids and behind them.
+///
+/// Made by [`Placed::without_background`]. Each run of such pixels in a row is one call of
+/// [`fill_contiguous`](DrawTarget::fill_contiguous). All rows of the picture's part are looked at: where most of
+/// them are empty, [`Placed::only`] its [`Placed::covered`] rectangle is faster.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
+/// use embedded_lathe::*;
+///
+/// static BALL: Lathe<[Segment; 1]> = Lathe::turn(valid!(Profile::sphere(1.0)));
+/// static SCENE: Scene = Scene::new(
+///     &[Solid::new(&BALL, Rgb::WHITE)],
+///     valid!(Camera::orthographic([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 1.2)),
+///     valid!(Light::new([-1.0, -1.0, 1.0], 0.5)),
+/// );
+///
+/// let mut display = MockDisplay::<Gray4>::new();
+/// SCENE.picture(12, 12).at(Point::zero()).without_background().draw(&mut display)?;
+/// assert_eq!(display.get_pixel(Point::new(6, 6)), Some(Gray4::new(11)));
+/// assert_eq!(display.get_pixel(Point::new(1, 1)), None);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Overlay<'a, C> {
+    placed: Placed<'a, C>,
+}
+
+impl<'a, C: Paint + PixelColor> Placed<'a, C> {
+    /// Only the pixels that show a solid: over what the display shows already.
+    #[must_use]
+    pub const fn without_background(self) -> Overlay<'a, C> {
+        Overlay { placed: self }
+    }
+}
+
+impl<C: Paint + PixelColor> Overlay<'_, C> {
+    /// Draws as [`Drawable::draw`] does, but computes the pixels in memory that the caller lends: as many at
+    /// once as fit into `row`, up to a whole row of the part. A longer slice is faster, and makes fewer calls.
+    /// If `row` is empty, it does what `draw` does.
+    ///
+    /// # Errors
+    ///
+    /// The target's own. After one no pixel is drawn.
+    pub fn draw_by_rows<D>(&self, target: &mut D, row: &mut [Option<C>]) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color = C>,
+    {
+        if row.is_empty() { self.draw(target) } else { self.draw_through(target, row) }
+    }
+
+    /// Draws, and computes as many pixels at once as fit into `room`, which must not be empty.
+    fn draw_through<D>(&self, target: &mut D, room: &mut [Option<C>]) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color = C>,
+    {
+        let part = self.placed.within(&target.bounding_box());
+        for y in part.top..part.bottom {
+            let mut x = part.left;
+            while x < part.right {
+                let len = room.len().min((part.right - x) as usize);
+                let Some(run) = room.get_mut(..len) else { break };
+                self.placed.picture().part_of_row(x, y, run);
+                for pixels in run.chunk_by(|one, next| one.is_some() == next.is_some()) {
+                    let right = x + pixels.len() as u32;
+                    if let [Some(_), ..] = pixels {
+                        let span = Extent { left: x, top: y, right, bottom: y + 1 };
+                        target.fill_contiguous(
+                            &self.placed.on_display(span),
+                            pixels.iter().copied().flatten(),
+                        )?;
+                    }
+                    x = right;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<C: Paint + PixelColor> Dimensions for Overlay<'_, C> {
+    fn bounding_box(&self) -> Rectangle {
+        self.placed.bounding_box()
+    }
+}
+
+impl<C: Paint + PixelColor> Drawable for Overlay<'_, C> {
+    type Color = C;
+    type Output = ();
+
+    /// Draws each run of pixels that show a solid in one call, with pixels that are computed 40 at a time at
+    /// most.
+    fn draw<D>(&self, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color = C>,
+    {
+        self.draw_through(target, &mut blank())
+    }
+}

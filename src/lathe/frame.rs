@@ -122,8 +122,8 @@ impl Bounds {
         let mut i = 0;
         while i < len {
             let segment = &segments[i];
-            all.max_slope = greater_or_nan(all.max_slope, segment.max_slope());
-            all.curvature = greater_or_nan(all.curvature, segment.curvature());
+            all.max_slope = greater_or_nan(all.max_slope, segment.max_slope);
+            all.curvature = greater_or_nan(all.curvature, segment.curvature);
             all.convexity = greater_or_nan(all.convexity, segment.convexity);
             all.slope_jumps += segment.slope_jump;
             if i + 1 < len {

@@ -32,15 +32,19 @@ pub struct Segment {
     /// The slope jump at the upper end: by how much the first derivative by height is larger where the next
     /// segment begins than where this one ends, or zero if it is not larger.
     pub(super) slope_jump: f32,
-    /// `[3·b1, 3·b2]`, for [`Segment::about`].
-    inner: [f32; 2],
+    /// An upper bound of the magnitude of the first derivative by height. NaN or infinite for a segment of no
+    /// height.
+    pub(super) max_slope: f32,
+    /// The largest magnitude of half the second derivative by height. NaN or infinite for a segment of no
+    /// height.
+    pub(super) curvature: f32,
     /// `[f1/2, 3·f3/2]`, for [`Segment::about`].
     half: [f32; 2],
 }
 
 /// The larger of two numbers; NaN if `a` or `b` is NaN.
 ///
-/// A segment whose height is zero in the frame has a [`max_slope`](Segment::max_slope) of NaN or infinity.
+/// A segment whose height is zero in the frame has a `max_slope` of NaN or infinity.
 /// Then the lathe's largest slope and its tolerance in g are NaN or infinite, too. With such a tolerance the
 /// fast path decides only on rays that miss the bounding cylinder.
 pub(super) const fn greater_or_nan(a: f32, b: f32) -> f32 {
@@ -78,7 +82,8 @@ impl Segment {
         bounding_square: 0.0,
         convexity: 0.0,
         slope_jump: 0.0,
-        inner: [0.0; 2],
+        max_slope: 0.0,
+        curvature: 0.0,
         half: [0.0; 2],
     };
 
@@ -103,23 +108,13 @@ impl Segment {
             // The second derivative of a cubic is linear, and so largest at an end.
             convexity: greater_or_nan(c2, c2 + 3.0 * c3) * per_height * per_height,
             slope_jump: 0.0,
-            inner: [3.0 * b[1], 3.0 * b[2]],
+            // The derivative by u is three times a weighted mean of the differences of adjacent ordinates.
+            max_slope: 3.0
+                * (b[1] - b[0]).abs().max((b[2] - b[1]).abs()).max((b[3] - b[2]).abs())
+                * per_height,
+            curvature: greater_or_nan(c2.abs(), (c2 + 3.0 * c3).abs()) * per_height * per_height,
             half: [0.5 * f[1], 1.5 * f[3]],
         }
-    }
-
-    /// The largest magnitude of half the second derivative by height. NaN or infinite for a segment of no
-    /// height.
-    pub(super) const fn curvature(&self) -> f32 {
-        let [_, _, c2, c3] = self.f;
-        greater_or_nan(c2.abs(), (c2 + 3.0 * c3).abs()) * self.per_height * self.per_height
-    }
-
-    /// An upper bound of the magnitude of the first derivative by height. That derivative is 3/h times a
-    /// weighted mean of the differences of adjacent ordinates. NaN or infinite for a segment of no height.
-    pub(super) const fn max_slope(&self) -> f32 {
-        let [b0, b1, b2, b3] = self.b;
-        3.0 * (b1 - b0).abs().max((b2 - b1).abs()).max((b3 - b2).abs()) * self.per_height
     }
 
     /// This segment with its `slope_jump` computed, given the next segment.
@@ -181,10 +176,10 @@ impl Segment {
     /// accurate as by [`Segment::at`] and cheaper, the halves of its derivatives from the power coefficients.
     #[inline(always)]
     pub(super) fn about(&self, u: f32) -> [f32; 3] {
-        let Self { f: [b0, _, f2, _], inner: [b1, b2], b: [.., b3], half: [h0, h2], .. } = *self;
+        let Self { f: [.., f2, _], b: [b0, b1, b2, b3], half: [h0, h2], .. } = *self;
         let v = 1.0 - u;
         let w = u * u;
-        let f = ((b0 * v + b1 * u) * v + b2 * w) * v + b3 * (w * u);
+        let f = ((b0 * v + 3.0 * b1 * u) * v + 3.0 * b2 * w) * v + b3 * (w * u);
         // f′/2 = f1/2 + f2·u + 3·f3/2·u², f″/2 = f2 + 3·f3·u.
         let half = h2 * u;
         let once = half + f2;

@@ -235,7 +235,7 @@ impl RowBounds<'_> {
     /// as much as the rounding of a height changes F.
     #[inline(always)]
     pub fn tolerance_in(&self, segment: &Segment) -> f32 {
-        self.tolerance + self.slip * segment.max_slope()
+        self.tolerance + self.slip * segment.max_slope
     }
 
     /// What a root must satisfy in a segment. A segment that is steep or curved asks for more, and leaves the
@@ -244,9 +244,9 @@ impl RowBounds<'_> {
     pub fn in_segment(&self, segment: &Segment) -> SegmentBounds {
         let tolerance = self.tolerance_in(segment);
         // A bound of |g″/2| along any of the rays.
-        let most = self.longest + segment.curvature() * (self.steep * self.steep);
+        let most = self.longest + segment.curvature * (self.steep * self.steep);
         let slack = 2.0 * Native::sqrt(self.longest * tolerance) + 16.0 * ROOT * most;
-        let least_slope = self.least_slope * (1.0 + 0.5 * segment.max_slope());
+        let least_slope = self.least_slope * (1.0 + 0.5 * segment.max_slope);
         SegmentBounds { tolerance, slack: greater(slack, least_slope), step_tolerance: ROOT / most }
     }
 

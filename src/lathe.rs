@@ -35,14 +35,14 @@ mod row;
 mod segment;
 mod side;
 
-pub(crate) use row::{RayRow, RowPart, Seen, Span, Sweep};
+pub(crate) use row::{RayRow, RowPart, Scale, Seen, Span, Sweep};
 pub use segment::Segment;
 
 use crate::hit::{Hit, Part};
 use crate::math::const_fn;
 use crate::profile::Profile;
 use crate::ray::Ray;
-use crate::vector::{F32x3, dot_xy, to_one, vector};
+use crate::vector::{F32x3, dot_xy, finite_to_one, vector};
 use frame::{Bounds, EndPlane, Frame, View};
 use segment::{greater_or_nan, power_of_two_for, widened};
 
@@ -242,28 +242,23 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     ///
     /// All lengths in it are multiplied by the frame's scale, and x is not scaled by √k. A ray that has a hit
     /// has a finite origin after that scaling, and a finite distance to the hit. So half of the gradient is
-    /// finite, and [`to_one`] returns `None` only where it is zero or subnormal.
+    /// finite, and [`finite_to_one`] returns `None` only where it is zero or subnormal.
     pub(crate) fn gradient(&self, ray: &Ray, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
-        let faces_up = match hit.part {
-            Part::Base => frame.base.wall < frame.base.beyond,
-            Part::Top => frame.top.wall > frame.top.beyond,
-            Part::Ring => hit.u > 0.5,
-            Part::Wall => {
-                let gradient = segments.get(hit.segment).and_then(|segment| {
-                    let way = hit.t * (ray.unit * frame.scale);
-                    let p = ray.origin * frame.scale + ray.direction * way;
-                    let (across, along) = segment.weights();
-                    let slope = segment.at(hit.u).1;
-                    to_one(vector([frame.squash * p.x * across, p.y * across, -0.5 * slope * along]))
-                });
-                if let Some((gradient, _)) = gradient {
-                    return gradient;
-                }
-                hit.segment > 0 || hit.u >= 0.5
+        if hit.part == Part::Wall
+            && let Some(segment) = segments.get(hit.segment)
+        {
+            let way = hit.t * (ray.unit * frame.scale);
+            let p = ray.origin * frame.scale + ray.direction * way;
+            let (across, along) = segment.weights();
+            let slope = segment.at(hit.u).1;
+            let gradient = vector([frame.squash * p.x * across, p.y * across, -0.5 * slope * along]);
+            if let Some((gradient, _)) = finite_to_one(gradient) {
+                return gradient;
             }
-        };
-        vector([0.0, 0.0, if faces_up { 1.0 } else { -1.0 }])
+        }
+        // A ray enters through what faces it, and leaves through what faces the way that it goes.
+        vector([0.0, 0.0, if hit.enters == (ray.direction.z < 0.0) { 1.0 } else { -1.0 }])
     }
 }
 

@@ -1,6 +1,7 @@
 //! From a scene to rows of pixels: as many as the caller asks for, where the caller wants them. No pixel is
 //! kept.
 
+mod brush;
 mod canvas;
 mod depth;
 mod pixels;

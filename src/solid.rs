@@ -132,13 +132,8 @@ impl<'a> Solid<'a> {
 
     /// Its sheets, the first one first: of a solid that is no body, its lathe as an outer sheet.
     pub fn sheets(&self) -> impl Iterator<Item = &Sheet<'a>> {
-        core::iter::once(&self.first).chain(self.rest)
-    }
-
-    /// The sheet of that number, from 0 on.
-    #[inline(always)]
-    pub(crate) fn sheet(&self, number: usize) -> Option<&Sheet<'a>> {
-        if number == 0 { Some(&self.first) } else { self.rest.get(number - 1) }
+        let (mut next, mut rest) = (Some(&self.first), self.rest.iter());
+        core::iter::from_fn(move || core::mem::replace(&mut next, rest.next()))
     }
 
     /// Whether it has more than one sheet.
@@ -229,14 +224,14 @@ impl<'a> Solid<'a> {
         self.located(hit).0
     }
 
-    /// The number of the sheet that was hit, the sheet, and the hit with that sheet's own number of the segment.
+    /// The number of the sheet that was hit, the sheet, and the hit as one of that sheet's lathe.
     fn located(&self, hit: &Hit) -> (usize, &Sheet<'a>, Hit) {
         let (mut number, mut sheet, mut segment) = (0, &self.first, hit.segment);
         for next in self.rest {
             let Some(after) = segment.checked_sub(sheet.lathe().segments()) else { break };
             (number, sheet, segment) = (number + 1, next, after);
         }
-        (number, sheet, Hit { segment, ..*hit })
+        (number, sheet, sheet.hit(Hit { segment, ..*hit }))
     }
 
     /// The point and the normal of a hit, in the world, as [`Lathe::surface`]: the normal points out of the

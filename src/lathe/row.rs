@@ -31,4 +31,4 @@ mod track;
 pub(crate) use bounds::RowPart;
 pub(crate) use normal::Seen;
 pub(crate) use ray_row::RayRow;
-pub(crate) use sweep::{Span, Sweep};
+pub(crate) use sweep::{Scale, Span, Sweep};

@@ -1,117 +1,119 @@
 //! Which of several solids, or of a body's sheets, a pixel shows if no plane separates them: the nearest, by
 //! the distances that their sweeps find.
+//!
+//! A distance is the t at which a pixel's ray meets a sheet. It is written as it is if a sweep has found it,
+//! to within [`Sweep::depth_error`], and negated if a single ray has.
 
-use super::solid_row::{SolidRays, SolidRow};
+use super::brush::Brush;
+use super::solid_row::SolidRays;
+use crate::color::Paint;
+use crate::lathe::{Scale, Seen, Sweep};
 use crate::math::cold_path;
 use crate::math::minmax::{greater, lesser};
 use crate::occlusion::PaintOrder;
 use crate::solid::Solid;
+use core::ptr;
 
-/// The distance at which a ray meets a solid: the ray's t.
+/// The pixels of a run, and for each the distance of what was painted before.
+pub(super) struct Depths<'a, C> {
+    pub run: &'a mut [C],
+    /// The distance of the nearest sheet so far, for each pixel: infinite if there is none.
+    nearest: &'a mut [f32],
+    block: Block<'a>,
+    /// A bound of the error of any distance that a sweep has found, of this sheet and those before it.
+    error: f32,
+    /// What converts the s of this sheet's sweep to distances.
+    scale: Scale,
+}
+
+/// The solids of the scene, and the order in which those of the block are painted.
 #[derive(Clone, Copy)]
-pub(super) enum Distance {
-    /// As a sweep finds it, to within [`Sweep::depth_error`](crate::lathe::Sweep::depth_error).
-    Swept(f32),
-    /// As a single ray finds it.
-    Cast(f32),
-}
-
-/// What decides whether a pixel shows the solid that is being painted, or what was painted before.
-pub(super) trait Depth {
-    /// Whether distances are used. If not, [`Depth::shows`] ignores its `distance`.
-    const COUNTS: bool;
-
-    /// To be called before the pixels of each solid: takes note of how exact the distances of its sweep are.
-    fn begin(&mut self, along: &SolidRow);
-
-    /// Whether a pixel shows the solid, of which its ray sees a point at `distance`. `at` is the pixel's
-    /// index in the run that is painted on. If it does, the solid counts as the nearest at this pixel from
-    /// here on.
-    fn shows(&mut self, rays: &SolidRays, at: usize, column: u32, distance: Distance) -> bool;
-}
-
-/// No solid that was painted before hides this one: every pixel that sees it shows it.
-pub(super) struct Over;
-
-impl Depth for Over {
-    const COUNTS: bool = false;
-
-    #[inline(always)]
-    fn begin(&mut self, _: &SolidRow) {}
-
-    #[inline(always)]
-    fn shows(&mut self, _: &SolidRays, _: usize, _: u32, _: Distance) -> bool {
-        true
-    }
-}
-
-/// The distances of what was painted before, for each pixel of a run.
-pub(super) struct Depths<'a> {
-    /// The distance of the nearest solid so far. It is positive if a sweep has found it, negated if single
-    /// rays have, and infinite if there is none.
-    pub nearest: &'a mut [f32],
-    /// The solids of the scene. In `order`, those ranked from `first` to before `rank` have been painted, and
-    /// the one ranked `rank` is being painted.
+pub(super) struct Block<'a> {
     pub solids: &'a [Solid<'a>],
     pub order: &'a PaintOrder,
-    pub first: usize,
-    pub rank: usize,
-    /// A bound of the error of any distance that a sweep has found, for this solid and those before it.
-    pub error: f32,
 }
 
-impl Depth for Depths<'_> {
-    const COUNTS: bool = true;
-
-    fn begin(&mut self, along: &SolidRow) {
-        self.error = greater(self.error, along.sweep.depth_error());
-    }
-
+impl<'a, C: Paint> Depths<'a, C> {
+    /// The pixels `run` before anything of the block is painted on them. `nearest` is memory for their
+    /// distances, each of which is to be infinite.
     #[inline(always)]
-    fn shows(&mut self, rays: &SolidRays, at: usize, column: u32, distance: Distance) -> bool {
-        let Some(nearest) = self.nearest.get_mut(at) else {
-            return false;
-        };
-        let (Distance::Swept(t) | Distance::Cast(t)) = distance;
-        let gap = nearest.abs() - t;
-        if gap > 2.0 * self.error {
-            *nearest = if let Distance::Cast(t) = distance { -t } else { t };
-            return true;
-        }
-        if gap < -2.0 * self.error {
-            return false;
-        }
-        cold_path();
-        self.compare(rays, at, column, distance)
+    pub fn new(run: &'a mut [C], nearest: &'a mut [f32], block: Block<'a>) -> Self {
+        Self { run, nearest, block, error: 0.0, scale: Scale::default() }
     }
-}
 
-impl Depths<'_> {
-    /// Does what [`Depth::shows`] does where the two distances are too close for their errors: it compares
-    /// those that single rays find. If they are equal, the pixel shows what was painted before, which is the
-    /// first in the slice.
-    ///
-    /// Afterwards the pixel's distance is one that single rays have found. So if another solid comes as near
-    /// at this pixel, no rays are cast again at the solids before it.
-    #[cold]
+    /// To be called before the pixels of each sheet: takes note of what the distances of its sweep are
+    /// computed from, and how exact they are.
+    pub fn begin(&mut self, sweep: &Sweep) {
+        self.error = greater(self.error, sweep.depth_error());
+        self.scale = sweep.scale();
+    }
+
+    /// Paints the pixel `at`, and its mirror image if there is one, unless what was painted before hides the
+    /// solid there. `seen` gives, as [`Seen::pairs`], what the pixel sees at a root that the sweep has found
+    /// at s.
     #[inline(never)]
-    fn compare(&mut self, rays: &SolidRays, at: usize, column: u32, distance: Distance) -> bool {
-        let Some(nearest) = self.nearest.get_mut(at) else {
-            return false;
-        };
-        let t = match distance {
-            Distance::Cast(t) => t,
-            Distance::Swept(_) => rays.distance(column),
-        };
-        let mut before = -*nearest;
-        if before < 0.0 {
-            before = rays.distance_before(column);
-            let ranks = self.first..self.rank;
-            for solid in ranks.filter_map(|rank| self.solids.get(self.order.index(rank))) {
-                before = lesser(before, rays.distance_of(solid, column));
+    pub fn both(&mut self, brush: &Brush, at: usize, seen: [(f32, f32); 2], s: f32) {
+        let (seen, distance) = (&Seen::of_pairs(seen), self.scale.distance(s));
+        if let Some(pixel) = self.shown(brush, at, distance) {
+            *pixel = brush.color(at, seen);
+        }
+        if let Some(mirrored) = &brush.mirrored {
+            let image = self.run.len().wrapping_sub(at + 1);
+            if let Some(pixel) = self.shown(brush, image, distance) {
+                *pixel = brush.image_color(image, at, seen, mirrored);
             }
         }
-        *nearest = -lesser(before, t);
-        t < before
+    }
+
+    /// Returns the pixel `at` if it shows the sheet that is being painted, of which its ray sees a point at
+    /// `distance`; then the sheet counts as the nearest at this pixel from here on. Returns `None` if what
+    /// was painted before hides that point.
+    // In a build for speed the compiler inlines it. In a build for size it is one function for all callers.
+    #[inline]
+    pub fn shown(&mut self, brush: &Brush, at: usize, distance: f32) -> Option<&mut C> {
+        let Self { run, nearest, block, error, .. } = self;
+        let nearest = nearest.get_mut(at)?;
+        let gap = nearest.abs() - distance.abs();
+        if gap < -2.0 * *error {
+            return None;
+        }
+        if gap > 2.0 * *error {
+            *nearest = distance;
+        } else {
+            cold_path();
+            let (before, t) = block.compare(brush.rays, brush.column(at), *nearest, distance);
+            // If another sheet comes as near at this pixel, no rays are cast again at those before it.
+            *nearest = -lesser(before, t);
+            if !(t < before) {
+                return None;
+            }
+        }
+        run.get_mut(at)
+    }
+}
+
+impl Block<'_> {
+    /// The distances that single rays of a column find, where those known are too close for their errors:
+    /// that of the nearest sheet painted before, and that of the sheet that `rays` are cast at. `nearest` and
+    /// `distance` are what is known of the two. If the result has two equal distances, the pixel shows what
+    /// was painted before, which is the first in the slice.
+    #[cold]
+    #[inline(never)]
+    fn compare(&self, rays: &SolidRays, column: u32, nearest: f32, distance: f32) -> (f32, f32) {
+        let t = if distance < 0.0 { -distance } else { rays.distance(rays.solid, rays.sheet, column) };
+        if nearest < 0.0 {
+            return (-nearest, t);
+        }
+        let mut before = f32::INFINITY;
+        for rank in self.order.block.. {
+            let Some(solid) = self.solids.get(self.order.index(rank)) else { break };
+            for sheet in solid.sheets() {
+                if ptr::eq(solid, rays.solid) && ptr::eq(sheet, rays.sheet) {
+                    return (before, t);
+                }
+                before = lesser(before, rays.distance(solid, sheet, column));
+            }
+        }
+        (before, t)
     }
 }

@@ -1,7 +1,8 @@
 //! A scene as a grid of pixels, by reference: what rows are computed from.
 
+use super::brush::Brush;
 use super::canvas::Canvas;
-use super::depth::{Depth, Depths, Over};
+use super::depth::{Block, Depths};
 use super::solid_row::SolidRow;
 use crate::camera::Row;
 use crate::color::{Paint, most_shades};
@@ -10,6 +11,7 @@ use crate::scene::Scene;
 use crate::shade::Finish;
 use crate::sheet::Sheet;
 use crate::solid::Solid;
+use core::ops::Range;
 
 /// How many pixels are computed at once where the caller lends no memory: `Scene::draw` keeps them on its
 /// stack.
@@ -49,48 +51,36 @@ impl Raster<'_> {
         };
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
-        let mut rank = 0;
-        while let Some(solid) = self.scene.solids.get(self.order.index(rank)) {
-            if rank == self.order.block {
-                // For a short part fewer distances are kept: a scene that is drawn run by run may have little
-                // stack.
-                let paint =
-                    if part.len() > RUN { Self::block::<C, MOST_DEPTHS> } else { Self::block::<C, RUN> };
-                paint(self, &row, x, part);
-                rank = self.order.beyond;
+        let PaintOrder { block, beyond, .. } = *self.order;
+        self.paint(0..block, &row, x, part, None);
+        if block < beyond {
+            // For a short part fewer distances are kept: a scene that is drawn run by run may have little stack.
+            if part.len() > RUN {
+                self.block::<C, MOST_DEPTHS>(&row, x, part);
             } else {
-                self.solid(solid, &row, x, part, &mut Over);
-                rank += 1;
+                self.block::<C, RUN>(&row, x, part);
             }
+            self.paint(beyond..usize::MAX, &row, x, part, None);
         }
     }
 
-    /// Paints the solids of the block on `part`, in pieces of equal length, N pixels at most. This function
-    /// is not inlined, so that scenes without a block keep no memory for distances on the stack.
+    /// Paints the solids of the block on `part`, in pieces of N pixels at most. This function is not inlined,
+    /// so that scenes without a block keep no memory for distances on the stack.
     #[cold]
     #[inline(never)]
     fn block<C: Paint, const N: usize>(&self, row: &Row, x: u32, part: &mut [C]) {
-        let mut nearest = [0.0; N];
-        let len = part.len().div_ceil(part.len().div_ceil(N).max(1)).max(1);
-        for (part, x) in part.chunks_mut(len).zip((x..).step_by(len)) {
-            self.by_depth(row, x, part, &mut nearest);
+        for (run, x) in part.chunks_mut(N).zip((x..).step_by(N)) {
+            self.by_depth(row, x, run, &mut [f32::INFINITY; N]);
         }
     }
 
-    /// Paints the solids of the block on a piece of a row. `nearest` is memory for the distances, for as many
-    /// pixels at least.
+    /// Paints the solids of the block on a piece of a row. `nearest` has a distance for each pixel, all of them
+    /// infinite.
     #[inline(never)]
-    fn by_depth<C: Paint>(&self, row: &Row, x: u32, part: &mut [C], nearest: &mut [f32]) {
-        nearest.fill(f32::INFINITY);
+    fn by_depth<C: Paint>(&self, row: &Row, x: u32, run: &mut [C], nearest: &mut [f32]) {
         let Self { scene: Scene { solids, .. }, order, .. } = *self;
-        let first = order.block;
-        let mut depths = Depths { nearest, solids, order, first, rank: first, error: 0.0 };
-        while depths.rank < order.beyond {
-            if let Some(solid) = solids.get(order.index(depths.rank)) {
-                self.solid(solid, row, x, part, &mut depths);
-            }
-            depths.rank += 1;
-        }
+        let mut depths = Depths::new(run, nearest, Block { solids, order });
+        self.paint(order.block..order.beyond, row, x, &mut [], Some(&mut depths));
     }
 
     /// Fills `part`, which begins in column x of row y, with the background.
@@ -102,38 +92,53 @@ impl Raster<'_> {
         }
     }
 
-    /// Paints a solid, a body sheet by sheet, on the pixels of `run` that see it and that `depth` says show
-    /// it. `run` begins in column x.
-    #[inline(always)]
-    fn solid<C: Paint, D: Depth>(&self, solid: &Solid, row: &Row, x: u32, run: &mut [C], depth: &mut D) {
-        let mut number = 0;
-        while let Some(sheet) = solid.sheet(number) {
-            self.sheet(solid, (number, sheet), row, x, run, depth);
-            number += 1;
-        }
-    }
-
-    /// Paints a sheet of a solid, of the given number. Not inline: in a loop it keeps more on the stack.
+    /// Paints the solids of some ranks, a body sheet by sheet: without `depths` on all pixels of `run` that
+    /// see them. With `depths` `run` is to be empty; the solids are painted on those pixels of `depths` that
+    /// see them and show them. The first pixel is in column x.
     #[inline(never)]
-    fn sheet<C: Paint, D: Depth>(
+    fn paint<C: Paint>(
         &self,
-        solid: &Solid,
-        (number, sheet): (usize, &Sheet),
+        ranks: Range<usize>,
         row: &Row,
         x: u32,
         run: &mut [C],
-        depth: &mut D,
+        mut depths: Option<&mut Depths<C>>,
     ) {
-        let mut along = SolidRow::new(solid, (number, sheet), row, (x, x + run.len() as u32), D::COUNTS);
+        for rank in ranks {
+            let Some(solid) = self.scene.solids.get(self.order.index(rank)) else { return };
+            for sheet in solid.sheets() {
+                self.sheet(solid, sheet, row, x, run, depths.as_deref_mut());
+            }
+        }
+    }
+
+    /// Paints one sheet of a solid, as [`Raster::paint`] does. Not inline: in a loop it keeps more on the stack.
+    #[inline(never)]
+    fn sheet<C: Paint>(
+        &self,
+        solid: &Solid,
+        sheet: &Sheet,
+        row: &Row,
+        x: u32,
+        run: &mut [C],
+        mut depths: Option<&mut Depths<C>>,
+    ) {
+        let len = depths.as_ref().map_or(run.len(), |depths| depths.run.len());
+        let columns = (x, x + len as u32);
+        // Not taken apart: that would copy its parts.
+        let mut along = SolidRow::new(solid, sheet, row, columns, depths.is_some());
         if along.sweep.is_culled() {
             return;
         }
-        depth.begin(&along);
+        if let Some(depths) = &mut depths {
+            depths.begin(&along.sweep);
+        }
         let finish = Finish::new::<C>(solid, sheet.color().unwrap_or(solid.color()), &self.scene.light);
-        let mut canvas = Canvas::new(finish, &along, (x, row.y), run, depth);
-        canvas.half_row(&mut along);
+        let brush = Brush::new(finish, &along.rays, &along.sweep, (x, row.y));
+        let mut canvas = Canvas { brush, run, depths };
+        canvas.half_row(&mut along.sweep);
         if along.sweep.reverse() {
-            canvas.half_row(&mut along);
+            canvas.half_row(&mut along.sweep);
         }
     }
 }

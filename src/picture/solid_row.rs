@@ -3,29 +3,26 @@
 use crate::camera::{Projection, Row};
 use crate::hit::Hit;
 use crate::lathe::{RayRow, RowPart, Seen, Sweep};
-use crate::math::minmax::lesser;
 use crate::ray::Ray;
 use crate::shade::Views;
 use crate::sheet::Sheet;
 use crate::solid::Solid;
 use crate::solve::Newton;
 use crate::vector::vector;
-use core::ops::Range;
 
 /// A solid along a part of a row.
 pub(super) struct SolidRow<'a> {
     pub rays: SolidRays<'a>,
-    pub views: Views,
     pub sweep: Sweep<'a>,
 }
 
 /// The rays of a row of pixels, cast at a sheet of a solid one by one.
 pub(super) struct SolidRays<'a> {
-    solid: &'a Solid<'a>,
-    /// The sheet, and its number.
-    sheet: &'a Sheet<'a>,
-    number: usize,
+    pub solid: &'a Solid<'a>,
+    pub sheet: &'a Sheet<'a>,
     row: &'a Row<'a>,
+    /// Their directions.
+    pub views: Views,
 }
 
 impl<'a> SolidRow<'a> {
@@ -34,7 +31,7 @@ impl<'a> SolidRow<'a> {
     #[inline(never)]
     pub fn new(
         solid: &'a Solid<'a>,
-        (number, sheet): (usize, &'a Sheet<'a>),
+        sheet: &'a Sheet<'a>,
         row: &'a Row<'a>,
         (start, end): (u32, u32),
         has_depth: bool,
@@ -50,46 +47,29 @@ impl<'a> SolidRow<'a> {
         let part = RowPart { width: row.width, start, end, has_depth };
         let sweep = sheet.lathe().sweep(&rays, unit, row.origin_bound(), &part);
         let views = Views { first: direction, step: direction_step };
-        Self { rays: SolidRays { solid, sheet, number, row }, views, sweep }
-    }
-
-    /// Casts the ray of a column, which is that of the i-th pixel or of its mirror image, and tells the sweep
-    /// of a hit. Returns what the ray sees of the sheet and at which t; `None` if it misses.
-    #[inline(never)]
-    pub fn cast(&mut self, i: u32, column: u32) -> Option<(Seen, f32)> {
-        let SolidRays { solid, sheet, row, .. } = self.rays;
-        let ray = solid.ray_into(&row.ray(column));
-        // By reference: a copy would stay on the stack.
-        let hit = &nearest(sheet, &ray);
-        let hit = hit.as_ref()?;
-        self.sweep.found(i, hit);
-        Some((seen(sheet, &ray, hit), hit.t))
+        Self { rays: SolidRays { solid, sheet, row, views }, sweep }
     }
 }
 
 impl SolidRays<'_> {
-    /// The t at which a column's ray first meets the sheet; infinite if it misses.
-    pub fn distance(&self, column: u32) -> f32 {
-        self.least(self.solid, self.number..self.number + 1, column)
-    }
-
-    /// The t at which a column's ray first meets the sheets before this one; infinite if it misses.
-    pub fn distance_before(&self, column: u32) -> f32 {
-        self.least(self.solid, 0..self.number, column)
-    }
-
-    /// The t at which a column's ray first meets another solid; infinite if it misses.
-    pub fn distance_of(&self, other: &Solid, column: u32) -> f32 {
-        self.least(other, 0..usize::MAX, column)
-    }
-
-    /// The t at which a column's ray first meets any of those sheets of a solid; infinite if it misses.
+    /// Casts the ray of a column, which is that of the i-th pixel or of its mirror image, and tells the sweep
+    /// of a hit. Returns what the ray sees of the sheet and at which t; `None` if it misses.
     #[inline(never)]
-    fn least(&self, solid: &Solid, sheets: Range<usize>, column: u32) -> f32 {
+    pub fn cast(&self, sweep: &mut Sweep, i: u32, column: u32) -> Option<(Seen, f32)> {
+        let Self { solid, sheet, row, .. } = *self;
+        let ray = solid.ray_into(&row.ray(column));
+        // By reference: a copy would stay on the stack.
+        let hit = &nearest(sheet, &ray);
+        let hit = hit.as_ref()?;
+        sweep.found(i, hit);
+        Some((seen(sheet, &ray, hit), hit.t))
+    }
+
+    /// The t at which a column's ray first meets a sheet of a solid; infinite if it misses.
+    #[inline(never)]
+    pub fn distance(&self, solid: &Solid, sheet: &Sheet, column: u32) -> f32 {
         let ray = solid.ray_into(&self.row.ray(column));
-        let sheets = sheets.map_while(|number| solid.sheet(number));
-        let distances = sheets.filter_map(|sheet| nearest(sheet, &ray)).map(|hit| hit.t);
-        distances.fold(f32::INFINITY, lesser)
+        nearest(sheet, &ray).map_or(f32::INFINITY, |hit| hit.t)
     }
 }
 

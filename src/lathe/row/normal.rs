@@ -21,6 +21,20 @@ impl Seen {
         Self { gradient, per_length: rsqrt(gradient.dot(gradient)) }
     }
 
+    /// The sample as pairs of numbers. Where a function that is not inlined takes these, they stay in
+    /// registers; a sample would be stored on the stack, even for calls that are not made.
+    #[inline(always)]
+    pub fn pairs(&self) -> [(f32, f32); 2] {
+        let Self { gradient: F32x3 { x, y, z }, per_length } = *self;
+        [(x, y), (z, per_length)]
+    }
+
+    /// The sample of these [`pairs`](Seen::pairs).
+    #[inline(always)]
+    pub fn of_pairs([(x, y), (z, per_length)]: [(f32, f32); 2]) -> Self {
+        Self { gradient: vector([x, y, z]), per_length }
+    }
+
     /// The sample of a cap: its normal points up if `up` is 1, at the upper end, and down if it is −1.
     #[inline(always)]
     pub fn cap(up: f32) -> Self {

@@ -35,7 +35,7 @@ pub(crate) enum Span {
 }
 
 /// What converts a row's s to the t of a ray: the shift of [`RowBounds`], and one over its unit.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Scale {
     shift: f32,
     per_unit: f32,

@@ -105,7 +105,7 @@
 //! | *traversal* | the complete answer for one ray, chord by chord |
 //! | *undecided band* | values of g so near to zero, or heights so near to an end, that rounding may decide: neither the fast path nor the row decides such a pixel |
 //! | *sweep* | the traversal of a row of rays together, pixel after pixel from the middle outwards |
-//! | *span* | neighbouring pixels of a row that are computed in the same way: tracked, cap, empty or single |
+//! | *span* | neighbouring pixels of a row that are computed in the same way: tracked, flat (a cap or a ring), empty or single |
 //! | *tracked root* | the crossing of one pixel's ray carried on to the next by Newton's method |
 //! | *certificate* | why a tracked root is its ray's nearest, and for how many pixels |
 //! | *probe* | an upper bound of g along one ray, and the number of neighbours for which it proves a miss |

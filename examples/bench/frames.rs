@@ -56,9 +56,10 @@ const SCENES: [(&str, &Scene); 10] = [
 
 /// Shoulders, walls with thickness, solids that no plane parts: not where floats are slow.
 #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
-const SHAPES: [(&str, &Scene); 14] = {
-    use scenes::shapes::{BOWLS, BOWLS_BALL, CROSSINGS, RISERS};
+const SHAPES: [(&str, &Scene); 15] = {
+    use scenes::shapes::{BOWLS, BOWLS_BALL, CROSSINGS, RISERS, STEPPED};
     [
+        ("knob with a step", &STEPPED),
         ("knob with a riser of 1e-2", &RISERS[0]),
         ("knob with a riser of 1e-3", &RISERS[1]),
         ("knob with a riser of 1e-4", &RISERS[2]),

@@ -21,8 +21,21 @@ static RISER_3: Lathe<[Segment; 4]> = Lathe::turn(valid!(stepped(1e-3)).closed()
 static RISER_4: Lathe<[Segment; 4]> = Lathe::turn(valid!(stepped(1e-4)).closed());
 static RISER_6: Lathe<[Segment; 4]> = Lathe::turn(valid!(stepped(1e-6)).closed());
 
+/// The same knob with an exact step for its shoulder.
+static STEP: Lathe<[Segment; 3]> = Lathe::turn(
+    valid!(Profile::from_squared_radii(
+        &[0.0, 0.2, 0.2, 0.34, 0.38],
+        &[
+            0.25, 0.25, 0.25, 0.25, // up to the shoulder, where the step …
+            0.13, 0.13, 0.13, // … leads inwards
+            0.13, 0.13, 0.12, 0.1,
+        ],
+    ))
+    .closed(),
+);
+
 const fn knob(lathe: &'static Lathe) -> Solid<'static> {
-    Solid::new(lathe, Rgb::gray(0.75)).shiny(20)
+    Solid::new(lathe, Rgb::gray(0.75))
 }
 
 /// A knob with a shoulder, by a riser of 10⁻², 10⁻³, 10⁻⁴ and 10⁻⁶.
@@ -32,6 +45,9 @@ pub static RISERS: [Scene; 4] = [
     KNOB_SCENE.with_solids(&[knob(&RISER_4)]),
     KNOB_SCENE.with_solids(&[knob(&RISER_6)]),
 ];
+
+/// The knob with an exact step.
+pub static STEPPED: Scene = KNOB_SCENE.with_solids(&[knob(&STEP)]);
 
 /// The inside of a bowl's wall, 0.03 to 0.05 thick.
 static INNER: Lathe<[Segment; 2]> = Lathe::turn(

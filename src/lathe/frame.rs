@@ -80,7 +80,7 @@ pub(crate) struct Frame {
     pub curvature: f32,
     /// An upper bound of F″/2 between knots, at least [`LEAST_CONVEXITY`].
     pub convexity: f32,
-    /// Half the sum of all slope jumps.
+    /// Half the sum of all slope jumps, those at steps left out.
     pub half_slope_jumps: f32,
     /// The plane of the lower end and that of the upper end.
     pub base: EndPlane,
@@ -109,7 +109,7 @@ pub(crate) struct Bounds {
     pub max_slope: f32,
     pub curvature: f32,
     pub convexity: f32,
-    /// The sum of all slope jumps.
+    /// The sum of all slope jumps, those at steps left out.
     pub slope_jumps: f32,
     /// The sum of all steps of the squared radius from one segment to the next, upwards or downwards.
     pub steps: f32,
@@ -125,7 +125,9 @@ impl Bounds {
             all.max_slope = greater_or_nan(all.max_slope, segment.max_slope);
             all.curvature = greater_or_nan(all.curvature, segment.curvature);
             all.convexity = greater_or_nan(all.convexity, segment.convexity);
-            all.slope_jumps += segment.slope_jump;
+            if segment.slope_jump != f32::INFINITY {
+                all.slope_jumps += segment.slope_jump;
+            }
             if i + 1 < len {
                 all.steps += (segments[i + 1].b[0] - segment.b[3]).abs();
             }
@@ -163,11 +165,6 @@ impl EndPlane {
         Self { part, wall, beyond }
     }
 
-    /// The squared radius of the cap, or zero if there is none.
-    pub const fn cap(&self) -> f32 {
-        if self.beyond == 0.0 { self.wall } else { 0.0 }
-    }
-
     /// Whether there is a ring, within the wall or around it. A cap is no ring.
     pub const fn is_ring(&self) -> bool {
         self.wall != self.beyond && self.beyond != 0.0
@@ -201,7 +198,29 @@ pub(crate) struct View<'a> {
     pub segments: &'a [Segment],
 }
 
+/// The plane of a knot: that between two segments, or that of an end.
+pub(crate) struct KnotPlane {
+    pub z: f32,
+    /// The squared radii just below the plane and just above it: at an end, one is that of the wall, the
+    /// other [`EndPlane::beyond`]. A flat part, a cap or a ring, lies between them if they differ.
+    pub below: f32,
+    pub above: f32,
+}
+
 impl View<'_> {
+    /// The plane of the knot of a number: 0 is the lower end's, `len` the upper end's. `None` if there is no
+    /// such knot.
+    #[inline(never)]
+    pub fn plane(&self, number: usize) -> Option<KnotPlane> {
+        let View { frame, segments } = *self;
+        let (lower, upper) = (segments.get(number.wrapping_sub(1)), segments.get(number));
+        (number <= frame.len).then(|| KnotPlane {
+            z: upper.map_or(frame.high, |segment| segment.low),
+            below: lower.map_or(frame.base.beyond, |segment| segment.end(true)),
+            above: upper.map_or(frame.top.beyond, |segment| segment.end(false)),
+        })
+    }
+
     /// The number of the last segment whose lower end is at the height or below, or 0 if there is none, by
     /// binary search: each step is half the one before. Spare segments begin at +∞ and are never returned.
     #[inline]

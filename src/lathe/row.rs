@@ -1,6 +1,6 @@
 //! The rays of a row of pixels, traversed together: the *sweep*. It hands out *spans* of pixels that are
-//! alike, by a *tracked root* with a *certificate*, by a *probe*, by a cap, or, one pixel at a time, by a
-//! *single ray*.
+//! alike, by a *tracked root* with a *certificate*, by a *probe*, by a cap or a ring, or, one pixel at a time,
+//! by a *single ray*.
 //!
 //! ```text
 //! bounds ─── what is known of all rays, set once
@@ -11,15 +11,15 @@
 //!   │    │
 //!   ├── certify             whether a tracked root is its ray's nearest
 //!   ├── track ──── Tracked  the last pixel's root, moved on by Newton's method
-//!   ├── cap ────── Cap      pixels whose rays come in through a cap
+//!   ├── flat ───── Flat     pixels that see a cap or a ring
 //!   │
 //! spans ──── what the next pixels see: one of these, or
 //!                  Single   undecided: a ray of its own, as `ray/` casts it
 //! ```
 
 mod bounds;
-mod cap;
 mod certify;
+mod flat;
 mod normal;
 mod ray_row;
 mod setup;

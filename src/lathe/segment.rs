@@ -30,7 +30,7 @@ pub struct Segment {
     /// that derivative is negative all along the segment.
     pub(super) convexity: f32,
     /// The slope jump at the upper end: by how much the first derivative by height is larger where the next
-    /// segment begins than where this one ends, or zero if it is not larger.
+    /// segment begins than where this one ends, or zero if it is not larger. Infinite at a step.
     pub(super) slope_jump: f32,
     /// An upper bound of the magnitude of the first derivative by height. NaN or infinite for a segment of no
     /// height.
@@ -119,8 +119,11 @@ impl Segment {
 
     /// This segment with its `slope_jump` computed, given the next segment.
     pub(super) const fn before(self, next: &Self) -> Self {
-        let jump =
-            3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height;
+        let jump = if self.b[3] == next.b[0] {
+            3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height
+        } else {
+            f32::INFINITY
+        };
         // A jump of NaN stays NaN.
         Self { slope_jump: if jump <= 0.0 { 0.0 } else { jump }, ..self }
     }

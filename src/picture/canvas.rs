@@ -24,7 +24,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
         while i < sweep.len() {
             i = match sweep.next(i) {
                 Span::Tracked { to } => self.tracked(sweep, i, to),
-                Span::Cap { to, up } => self.cap(sweep, i, to, up),
+                Span::Flat { to } => self.flat(sweep, i, to),
                 Span::Empty { to } => to,
                 Span::Single => self.single(sweep, i),
             };
@@ -60,19 +60,22 @@ impl<C: Paint> Canvas<'_, '_, C> {
         })
     }
 
-    /// Paints the pixels from the i-th to before `to`, and their mirror images, which all see the upper cap
-    /// (`up` is 1) or the lower one (−1). Returns `to`.
+    /// Paints the pixels from the i-th on, to before `to`, as long as they see a cap or a ring, and their
+    /// mirror images. Returns the first that does not see it, `to` at most.
     #[inline(never)]
-    fn cap(&mut self, sweep: &Sweep, i: u32, to: u32, up: f32) -> u32 {
-        let seen = &Seen::cap(up);
-        for i in i..to {
-            let distance = if self.depths.is_some() { sweep.end_distance(i, up) } else { 0.0 };
+    fn flat(&mut self, sweep: &Sweep, mut i: u32, to: u32) -> u32 {
+        let seen = &sweep.flat();
+        while i < to
+            && let Some(s) = sweep.passes(i)
+        {
+            let distance = if self.depths.is_some() { sweep.scale().distance(s) } else { 0.0 };
             if self.brush.mirrored.is_some() {
                 self.put(sweep.mirrored_column(i), seen, distance);
             }
             self.put(sweep.column(i), seen, distance);
+            i += 1;
         }
-        to
+        i
     }
 
     /// Casts the i-th pixel's ray and its mirror image's, and paints what they see. Returns the next pixel.

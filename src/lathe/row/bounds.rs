@@ -58,9 +58,8 @@ pub(super) struct RowBounds<'a> {
     pub lathe: View<'a>,
     /// Whether none of the rays comes near the solid.
     pub is_culled: bool,
-    /// Whether the bounds are of use. They are not if the lathe has rings, or if the rays spread too wide,
-    /// begin too near the solid, or begin so far away that rounding decides. Then every pixel gets a *single
-    /// ray*.
+    /// Whether the bounds are of use. They are not if the rays spread too wide, begin too near the solid, or
+    /// begin so far away that rounding decides. Then every pixel gets a *single ray*.
     pub is_usable: bool,
     /// What relates s to the distance t along a ray: `unit·t = shift + s`. `shift` is the distance from the
     /// ray's origin to where s is zero, counted like s in lengths of D; `unit` is how many of these make a t
@@ -96,6 +95,9 @@ pub(super) struct RowBounds<'a> {
     /// decides nothing where a height is nearer to an end than this, or g is nearer to zero. In g it grows
     /// with the slope of the profile, see [`RowBounds::tolerance_in`].
     pub tolerance: f32,
+    /// The half-width of that band, in height, about the knots between segments: the same if the lathe has
+    /// steps, zero if it has none.
+    pub knot_tolerance: f32,
     /// A bound of D² of all rays.
     pub longest: f32,
     /// The least slope A that a root tracked in a cylinder must have for its distance to be compared with
@@ -164,10 +166,8 @@ impl<'a> RowBounds<'a> {
         let drift = m1.z.abs() + span * d1.z.abs();
         // The bounds are of use if no direction is shorter than half the middle one, so that the spread of
         // the rays no more than doubles a bound; if no ray is parallel to the axis; if the eye is outside the
-        // span; if the tolerance is small; if every segment has a height in the frame; and if
-        // the lathe has no rings.
-        let is_usable = !frame.has_rings
-            && least > 0.25 * square
+        // span; if the tolerance is small; and if every segment has a height in the frame.
+        let is_usable = least > 0.25 * square
             && q > 0.0
             && shift > span + slip
             && tolerance < MOST_TOLERANCE
@@ -224,6 +224,7 @@ impl<'a> RowBounds<'a> {
             drift: drift / (SPANS * span),
             slip,
             tolerance,
+            knot_tolerance: if frame.has_rings { tolerance } else { 0.0 },
             longest,
             least_slope,
         }

@@ -27,7 +27,7 @@
 //! Where |A| is less, [`Sweep::is_nearest_by_cubic`] decides, pixel by pixel.
 
 use super::skip::UpperBound;
-use super::sweep::{Certificate, RootStart, Sweep};
+use super::sweep::{Certificate, Start, Sweep};
 use crate::lathe::segment::Segment;
 use crate::math::minmax::lesser;
 
@@ -35,9 +35,9 @@ use crate::math::minmax::lesser;
 pub(super) enum Certification {
     /// The tracked root is the nearest, for this reason.
     Nearest(Certificate),
-    /// Another root may lie here: nearer than the tracked one, or, where the ray passes just beside a rim,
-    /// shortly behind that rim.
-    Another(RootStart),
+    /// The ray may meet this before: a cap or a ring, or another root that is nearer than the tracked one,
+    /// or, where the ray passes just beside a rim, lies shortly behind that rim.
+    Another(Start),
     /// Neither is certain.
     Undecided,
 }
@@ -46,16 +46,17 @@ pub(super) enum Certification {
 enum Before {
     /// g keeps its sign in that part, for all pixels from the one asked for to before `until`.
     Clear { until: u32 },
-    /// Another root may lie here.
-    MayMeet(RootStart),
+    /// The ray may meet this before.
+    MayMeet(Start),
     /// Neither is certain.
     Undecided,
 }
 
 /// The segments, from the root's own back along the ray, through which g is concave but for slope jumps.
 struct Concave<'a> {
-    /// The segment of them that the ray meets first.
+    /// The segment of them that the ray meets first, and its index.
     first: &'a Segment,
+    index: usize,
     /// The sum of the slope jumps between the segments.
     slope_jumps: f32,
     /// Whether the ray meets no other segment before `first`.
@@ -71,7 +72,7 @@ impl Sweep<'_> {
         let is_concave = segment.convexity <= bounds.max_convexity;
         let [_, _, _, f3] = segment.f;
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
-        let mut passed = Concave { first: segment, slope_jumps: 0.0, is_all: false };
+        let mut passed = Concave { first: segment, index: root.index, slope_jumps: 0.0, is_all: false };
         if let Some(is_rising) = bounds.rising {
             // B, see the top of this file, is concave.
             if (f3 > 0.0) != (is_rising == enters) {
@@ -81,10 +82,11 @@ impl Sweep<'_> {
                 passed = self.concave(is_rising);
             }
         }
-        let before = if enters && passed.is_all {
+        // Before all segments the ray may still meet a ring outside of the wall of the end.
+        let before = if enters && passed.is_all && !bounds.lathe.frame.has_jumps {
             Before::Clear { until: u32::MAX }
         } else {
-            self.before(i, passed.first)
+            self.before(i, &passed)
         };
         match before {
             Before::Clear { until } => {
@@ -106,41 +108,43 @@ impl Sweep<'_> {
         let (mut first, mut index, mut slope_jumps) = (self.root.segment, self.root.index, 0.0);
         loop {
             let is_all = if is_rising { first.low <= bounds.low } else { first.high >= bounds.high };
-            index = if is_rising { index.wrapping_sub(1) } else { index + 1 };
-            let Some(next) = bounds.lathe.segments.get(index).filter(|_| !is_all) else {
-                return Concave { first, slope_jumps, is_all };
+            let before = if is_rising { index.wrapping_sub(1) } else { index + 1 };
+            let Some(next) = bounds.lathe.segments.get(before).filter(|_| !is_all) else {
+                return Concave { first, index, slope_jumps, is_all };
             };
             let with_next = slope_jumps + if is_rising { next.slope_jump } else { first.slope_jump };
+            // At a step the slope jump is infinite.
             if !(next.convexity <= bounds.max_convexity
                 && with_next * bounds.steep * bounds.span < 0.25 * bounds.tolerance)
             {
-                return Concave { first, slope_jumps, is_all };
+                return Concave { first, index, slope_jumps, is_all };
             }
-            (slope_jumps, first) = (with_next, next);
+            (slope_jumps, first, index) = (with_next, next, before);
         }
     }
 
-    /// Whether g keeps its sign along the part of the i-th ray before it comes into `segment`, and for how
-    /// many of the next rays as well. g is to be negative if the ray enters the solid at the tracked root,
-    /// positive if it leaves it.
+    /// Whether g keeps its sign along the part of the i-th ray before it comes into the first of the `passed`
+    /// segments, and for how many of the next rays as well. g is to be negative if the ray enters the solid
+    /// at the tracked root, positive if it leaves it.
     #[inline(always)]
-    fn before(&self, i: u32, segment: &Segment) -> Before {
+    fn before(&self, i: u32, passed: &Concave) -> Before {
         let (bounds, root) = (&self.bounds, &self.root);
         let (path, sign) = (self.path(i), root.sign);
         let frame = bounds.lathe.frame;
         let end = if path.rises() { &frame.base } else { &frame.top };
         // A ray that leaves the solid at the root it sees has come in through an open end: at a cap it would
         // have entered.
-        if sign < 0.0 && end.part.is_some() {
+        if sign < 0.0 && !(end.beyond > 0.0) {
             return Before::Undecided;
         }
         let (near, far) = self.interval(&path);
-        let far = lesser(far, path.slab(segment.low, segment.high).0);
+        let far = lesser(far, path.slab(passed.first.low, passed.first.high).0);
         // The proofs for the root's own segment need the sign of g where the ray comes into it, unless the
         // slope suffices. So g is bounded at that point in any case, even where it lies before `near`.
         let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
-        let UpperBound { g, tolerance, start } = match self.below_zero(i, &path, sign, before) {
+        let plane = passed.index + usize::from(!path.rises());
+        let UpperBound { g, tolerance, start } = match self.below_zero(i, &path, sign, before, plane) {
             Ok(until) => return Before::Clear { until },
             Err(bound) => bound,
         };
@@ -151,9 +155,9 @@ impl Sweep<'_> {
         // start is known, g has the wrong sign already where the ray comes into the root's segment, just past
         // a rim. Then another root may lie shortly behind that point, in the same segment, where g crosses
         // zero the other way than at the tracked root.
-        let RootStart { index, s, sign: crosses } =
-            start.unwrap_or(RootStart { index: root.index, s: far, sign: -1.0 });
-        Before::MayMeet(RootStart { index, s, sign: sign * crosses })
+        let Start { index, s, sign: crosses } =
+            start.unwrap_or(Start { index: root.index, s: far, sign: -1.0 });
+        Before::MayMeet(Start { index, s, sign: sign * crosses })
     }
 
     /// True if it is certain that g keeps its sign between the point where a ray comes into the tracked

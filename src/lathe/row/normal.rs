@@ -35,9 +35,10 @@ impl Seen {
         Self { gradient: vector([x, y, z]), per_length }
     }
 
-    /// The sample of a cap: its normal points up if `up` is 1, at the upper end, and down if it is −1.
+    /// The sample of a cap or a ring, seen from above if `up` is 1, and from below if it is −1: its normal
+    /// points to the side from which it is seen.
     #[inline(always)]
-    pub fn cap(up: f32) -> Self {
+    pub fn flat(up: f32) -> Self {
         Self { gradient: vector([0.0, 0.0, up]), per_length: 1.0 }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::bounds::{RowBounds, RowPart};
 use super::ray_row::RayRow;
-use super::sweep::{Direction, Sweep, TrackedRoot};
+use super::sweep::{Direction, Flat, Sweep, TrackedRoot};
 use crate::lathe::Lathe;
 use crate::lathe::segment::Segment;
 
@@ -43,6 +43,6 @@ impl Lathe {
         let rays = RayRow { origin, origin_step, direction, direction_step };
         let direction = Direction { rays, is_reversed: false, len: part.end - bounds.middle };
         let root = TrackedRoot::none(lathe.segments.first().unwrap_or(&Segment::EMPTY));
-        Sweep { bounds, direction, root }
+        Sweep { bounds, direction, root, flat: Flat::default() }
     }
 }

@@ -2,8 +2,9 @@
 //! a miss.
 
 use super::bounds::SPANS;
-use super::sweep::{RootStart, Sweep};
+use super::sweep::{Start, Sweep};
 use crate::cubic::{Cubic, quadratic_max_on};
+use crate::lathe::frame::View;
 use crate::lathe::ray::LocalRay;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
@@ -18,8 +19,8 @@ const FALL: f32 = 1.0 / 8.0;
 pub(super) enum Probe {
     /// The ray misses the solid, and so do those of the next pixels, to before pixel `to`.
     Misses { to: u32 },
-    /// The ray may meet the solid: near this place, if one is known.
-    MayMeet(Option<RootStart>),
+    /// The ray may meet the solid, near this place if anywhere.
+    MayMeet(Start),
 }
 
 /// An upper bound of sign·g along a ray.
@@ -31,9 +32,10 @@ pub(super) struct UpperBound {
     pub tolerance: f32,
     /// About where sign·g crosses zero, in the first segment where sign·g may come to within the tolerance of
     /// zero. The start's own sign is 1 where sign·g rises through zero along the ray, −1 where it falls.
-    /// `None` if sign·g stays below zero by the tolerance in every segment. If `sign` is −1, a segment is
-    /// passed over if its crossing is found behind the end of the part.
-    pub start: Option<RootStart>,
+    /// It is a plane if sign·g jumps over zero there. `None` if sign·g stays below zero by the tolerance in
+    /// every segment, or above zero. A segment is passed over if sign·g falls through zero behind the end of
+    /// the part.
+    pub start: Option<Start>,
 }
 
 impl Sweep<'_> {
@@ -42,22 +44,30 @@ impl Sweep<'_> {
     pub(super) fn probe(&self, i: u32) -> Probe {
         let bounds = &self.bounds;
         let path = self.path(i);
-        // A ray that runs level in an end's plane may meet the rim, where g has a jump.
-        let frame = bounds.lathe.frame;
-        let from_ends = lesser((path.z - frame.low).abs(), (path.z - frame.high).abs());
-        if from_ends + path.dz.abs() < bounds.tolerance {
-            return Probe::MayMeet(None);
+        // A ray that runs level in the plane of an end or of a step may meet the rim, where g has a jump.
+        let View { frame, segments } = bounds.lathe;
+        let is_at = |z: f32| (path.z - z).abs() + path.dz.abs() < bounds.tolerance;
+        if is_at(frame.low)
+            || is_at(frame.high)
+            || frame.has_rings && segments.iter().any(|segment| is_at(segment.low))
+        {
+            return Probe::MayMeet(Start { index: usize::MAX, s: 0.0, sign: 0.0 });
         }
-        let interval = self.interval(&path);
-        match self.below_zero(i, &path, 1.0, interval) {
+        let exit = if path.rises() { frame.len } else { 0 };
+        match self.below_zero(i, &path, 1.0, self.interval(&path), exit) {
             Ok(to) => Probe::Misses { to },
-            Err(UpperBound { start, .. }) => Probe::MayMeet(start),
+            // If g is not known to fall through zero, the ray may leave the solid through the other end.
+            Err(UpperBound { start, .. }) => {
+                Probe::MayMeet(start.unwrap_or(Start { index: exit, s: 0.0, sign: 0.0 }))
+            }
         }
     }
 
     /// Whether sign·g stays below zero by more than the tolerance on an interval of the i-th ray: the first
     /// pixel from there on for which that is not certified, or, if it may not be so on the i-th, the bound
-    /// that says so.
+    /// that says so. Where the interval begins on the plane of an end, or ends on the plane of the knot
+    /// `last`, sign·g must be below zero on both sides of the plane; at its end only on the near side if there
+    /// is no such knot.
     #[inline(never)]
     pub(super) fn below_zero(
         &self,
@@ -65,8 +75,9 @@ impl Sweep<'_> {
         path: &LocalRay,
         sign: f32,
         interval: (f32, f32),
+        last: usize,
     ) -> Result<u32, UpperBound> {
-        let bound = self.upper_bound(path, sign, interval);
+        let bound = self.upper_bound(path, sign, interval, last);
         if !(bound.g < 0.0) {
             return Err(bound);
         }
@@ -83,33 +94,53 @@ impl Sweep<'_> {
     }
 
     /// An upper bound of sign·g and its tolerance between two points of a ray, −∞ if the far one comes before
-    /// the near one. The segments are bounded one after another, to the one that has the start.
+    /// the near one. The segments are bounded one after another, to the one that has the start. `last` is as
+    /// in [`Sweep::below_zero`].
     #[inline(always)]
-    fn upper_bound(&self, path: &LocalRay, sign: f32, (near, far): (f32, f32)) -> UpperBound {
+    fn upper_bound(&self, path: &LocalRay, sign: f32, (near, far): (f32, f32), last: usize) -> UpperBound {
         let bounds = &self.bounds;
         let lathe = bounds.lathe;
+        let frame = lathe.frame;
         let mut bound = UpperBound { g: f32::NEG_INFINITY, tolerance: 0.0, start: None };
-        let step = if path.rises() { 1 } else { usize::MAX };
+        if !(near <= far) {
+            return bound;
+        }
+        let rises = path.rises();
+        let (step, entry) = if rises { (1, 0) } else { (usize::MAX, frame.len) };
+        if frame.has_rings {
+            for (t, number, is_behind) in [(near, entry, false), (far, last, true)] {
+                if let Some(plane) = lathe.plane(number) {
+                    let square = if is_behind == rises { plane.above } else { plane.below };
+                    bound.g = greater(sign * (square - path.around(t).0) + bounds.tolerance, bound.g);
+                }
+            }
+        }
         let mut index = lathe.index_at(path.height(near));
         let mut from = near;
-        while from <= far
-            && let Some(segment) = lathe.segments.get(index)
-        {
+        // Whether sign·g is above zero where the next segment begins, as it is at the end of the one before.
+        let mut is_above = false;
+        while let Some(segment) = lathe.segments.get(index) {
             let (_, to) = path.slab(segment.low, segment.high);
             let to = lesser(far, to);
             let at = path.closest(from, to);
             // The segment's bounding cylinder bounds g as well, and most often suffices.
             let mut most_here = segment.bounding_square - path.around(at).0 + bounds.tolerance;
-            if sign < 0.0 || most_here > bound.g && !(most_here < 0.0) {
+            if sign < 0.0 || is_above || !(most_here < 0.0) {
                 let tolerance = bounds.tolerance_in(segment);
                 let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
                 most_here = g.max_on(at - from, to - at) + tolerance;
                 if !(most_here < 0.0) {
                     bound.tolerance = tolerance;
-                    let sign = if g.at(from - at) > 0.0 { -1.0 } else { 1.0 };
-                    let s = at + zero(&g, sign);
-                    if sign > 0.0 || s <= to {
-                        bound.start = Some(RootStart { index, s: greater(from, s), sign });
+                    let mut crosses = if g.at(from - at) > 0.0 { -1.0 } else { 1.0 };
+                    let mut s = at + zero(&g, crosses);
+                    let mut place = index;
+                    if from > near && (crosses < 0.0) != is_above {
+                        // Between the two segments sign·g jumps over zero.
+                        (crosses, s, place) = (0.0, from, index + usize::from(!rises));
+                    }
+                    is_above = crosses < 0.0 && !(s <= to);
+                    if !is_above {
+                        bound.start = Some(Start { index: place, s: greater(from, s), sign: crosses });
                     }
                 }
             }

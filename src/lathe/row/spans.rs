@@ -2,12 +2,12 @@
 
 use super::certify::Certification;
 use super::skip::Probe;
-use super::sweep::{RootStart, STEPS, Span, Sweep, TrackEnd};
+use super::sweep::{STEPS, Span, Start, Sweep, TrackEnd};
 use crate::hit::{Hit, Part};
 
 impl Sweep<'_> {
     /// The span that begins with the i-th pixel; i must be less than [`Sweep::len`]. A tracked root is tried
-    /// first, then a cap, then pixels that miss. If the i-th pixel belongs to none of these, the span is
+    /// first, then a cap or a ring, then pixels that miss. If the i-th pixel belongs to none of these, the span is
     /// [`Span::Single`].
     ///
     /// The next i is the `to` of the span, or, of a tracked one, what [`Sweep::track`] returned, or, after a
@@ -26,10 +26,13 @@ impl Sweep<'_> {
                 self.resume(i, TrackEnd::Limit);
                 continue;
             }
-            if let Some(span) = self.cap_span(i) {
+            if !self.bounds.is_usable {
+                return Span::Single;
+            }
+            if let Some(span) = self.flat_span(i) {
                 return span;
             }
-            if !self.bounds.is_usable || self.root.probed == i {
+            if self.root.probed == i {
                 return Span::Single;
             }
             if let Probe::Misses { to } = self.search(i) {
@@ -38,23 +41,21 @@ impl Sweep<'_> {
         }
     }
 
-    /// Probes the i-th ray, with no root tracked. If the ray may meet the solid, and the place is known, this
-    /// begins to track a root there.
+    /// Probes the i-th ray, with no root tracked. If the ray may meet the solid, this begins to track a root
+    /// there, or notes the plane of a cap or a ring.
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
         // The left half begins with the place that the last probe of the right half left in `start`, without
         // a probe of its own. Most often that is where the right half began to track a root.
         let probe = match self.root.start {
-            Some(start) if i == 0 => Probe::MayMeet(Some(start)),
+            Some(start) if i == 0 => Probe::MayMeet(start),
             _ => self.probe(i),
         };
         if let Probe::MayMeet(start) = probe {
-            self.root.start = start;
-            if let Some(start) = start {
-                self.root.begin(start);
-                self.root.tries = STEPS;
-            }
+            self.root.start = Some(start);
+            self.root.begin(start);
+            self.root.tries = STEPS;
         }
         probe
     }
@@ -66,12 +67,25 @@ impl Sweep<'_> {
     #[inline(never)]
     fn resume(&mut self, i: u32, end: TrackEnd) {
         let root = &mut self.root;
+        let segments = self.bounds.lathe.segments;
         let index = match end {
             TrackEnd::Limit if i < root.certificate.until => return,
-            TrackEnd::Limit => Some(root.index),
-            TrackEnd::LeftUpwards => Some(root.index + 1),
-            TrackEnd::LeftDownwards => Some(root.index.wrapping_sub(1)),
-            TrackEnd::Uncertified => None,
+            TrackEnd::Limit => root.index,
+            TrackEnd::Left { upper } => {
+                let index = root.index.wrapping_add(if upper { 1 } else { usize::MAX });
+                let next = segments.get(index);
+                if next.is_none_or(|next| next.end(!upper) != root.segment.end(upper)) {
+                    // The end of the solid, or a step.
+                    if next.is_none() {
+                        root.probed = i;
+                    }
+                    let plane = root.index + usize::from(upper);
+                    root.begin(Start { index: plane, s: 0.0, sign: 0.0 });
+                    return;
+                }
+                index
+            }
+            TrackEnd::Uncertified => usize::MAX,
             TrackEnd::Diverged => {
                 // The root may have jumped: a probe of this pixel may find it at its new place.
                 root.is_tracked = false;
@@ -79,9 +93,9 @@ impl Sweep<'_> {
             }
         };
         root.tries -= 1;
-        let segment =
-            index.filter(|_| root.tries > 0).and_then(|index| self.bounds.lathe.segments.get(index));
-        if let (Some(index), Some(segment)) = (index, segment) {
+        if root.tries > 0
+            && let Some(segment) = segments.get(index)
+        {
             (root.index, root.segment) = (index, segment);
             match self.certify(i) {
                 Certification::Nearest(certificate) => {
@@ -99,13 +113,13 @@ impl Sweep<'_> {
     }
 
     /// To be called with the hit of a single ray, cast for the i-th pixel or for its mirror image. If it is
-    /// on the wall, and the bounds are of use, this begins to track a root there. The next pixel is not
+    /// on the wall, and the bounds are of use, this begins to track a root there, and the next pixel is not
     /// probed for a miss: its ray most likely hits as well.
     pub fn found(&mut self, i: u32, hit: &Hit) {
-        self.root.probed = i + 1;
         if hit.part == Part::Wall && self.bounds.is_usable {
             let s = hit.t * self.bounds.unit - self.bounds.shift;
-            self.root.begin(RootStart { index: hit.segment, s, sign: if hit.enters { 1.0 } else { -1.0 } });
+            self.root.probed = i + 1;
+            self.root.begin(Start { index: hit.segment, s, sign: if hit.enters { 1.0 } else { -1.0 } });
             self.root.tries = STEPS;
         }
     }

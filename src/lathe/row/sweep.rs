@@ -25,8 +25,9 @@ pub(super) const STEPS: u32 = 4;
 pub(crate) enum Span {
     /// A root is tracked. [`Sweep::track`] hands over what these pixels see; it may end before `to`.
     Tracked { to: u32 },
-    /// A cap is seen: the upper one if `up` is 1, the lower one if it is −1.
-    Cap { to: u32, up: f32 },
+    /// A cap or a ring is seen where [`Sweep::passes`] says so: by the i-th pixel, and by those up to `to` or
+    /// to the first that does not.
+    Flat { to: u32 },
     /// The rays miss the solid. `to` may be more than [`Sweep::len`].
     Empty { to: u32 },
     /// The row is undecided: a ray of its own is to be cast for the i-th pixel alone, and a hit to be
@@ -55,6 +56,8 @@ pub(crate) struct Sweep<'a> {
     pub(super) bounds: RowBounds<'a>,
     pub(super) direction: Direction,
     pub(super) root: TrackedRoot<'a>,
+    /// The cap or the ring that is seen.
+    pub(super) flat: Flat,
 }
 
 /// Which way pixels are counted: changed by [`Sweep::reverse`] alone.
@@ -95,8 +98,11 @@ pub(super) struct TrackedRoot<'a> {
     /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
     /// there is none.
     pub probed: u32,
-    /// What the last probe that could not certify a miss said about where a root may be.
-    pub start: Option<RootStart>,
+    /// The number of the knot on whose plane the next pixels may see a cap or a ring; `usize::MAX` if there
+    /// is none.
+    pub plane: usize,
+    /// What the last probe that could not certify a miss said about where the surface may be.
+    pub start: Option<Start>,
 }
 
 /// Why tracking ended at a pixel.
@@ -106,10 +112,8 @@ pub(super) enum TrackEnd {
     Limit,
     /// The root is not known to be the nearest.
     Uncertified,
-    /// The root has left the segment through its upper end.
-    LeftUpwards,
-    /// The root has left the segment through its lower end.
-    LeftDownwards,
+    /// The root has left the segment: through its upper end, if `upper`, or through its lower end.
+    Left { upper: bool },
     /// Newton's method finds no root.
     Diverged,
 }
@@ -128,15 +132,25 @@ pub(super) struct Certificate {
     pub until: u32,
 }
 
-/// Where a root may be: where tracking may begin.
+/// Where a ray may meet the surface: where tracking may begin, or the plane of a cap or a ring.
 #[derive(Clone, Copy)]
-pub(super) struct RootStart {
-    /// The index of the segment that the root would be in.
+pub(super) struct Start {
+    /// The index of the segment that the root would be in; for a plane, the number of its knot.
     pub index: usize,
     /// About where the root is along the ray.
     pub s: f32,
-    /// 1 if the ray enters the solid there, −1 if it leaves it.
+    /// 1 if the ray enters the solid at the root, −1 if it leaves it. Zero for a plane.
     pub sign: f32,
+}
+
+/// A cap or a ring at the height z of the frame, of which r² is from `middle − half` to `middle + half`. It is
+/// seen from above if `up` is 1, and from below if it is −1.
+#[derive(Default)]
+pub(super) struct Flat {
+    pub z: f32,
+    pub middle: f32,
+    pub half: f32,
+    pub up: f32,
 }
 
 impl<'a> TrackedRoot<'a> {
@@ -159,14 +173,19 @@ impl<'a> TrackedRoot<'a> {
             end: None,
             tries: STEPS,
             probed: u32::MAX,
+            plane: usize::MAX,
             start: None,
         }
     }
 
-    /// Begins to track a root near a place. It has no certificate yet: that of the last root is ended.
-    pub fn begin(&mut self, RootStart { index, s, sign }: RootStart) {
+    /// Begins to track a root near a place. It has no certificate yet: that of the last root is ended. If the
+    /// place is a plane, this ends tracking, and makes the plane the next one to be looked at.
+    pub fn begin(&mut self, Start { index, s, sign }: Start) {
         (self.sign, self.s, self.step, self.bend) = (sign, sign * s, 0.0, 0.0);
-        (self.index, self.certificate.until, self.is_tracked) = (index, 0, true);
+        (self.index, self.certificate.until, self.is_tracked) = (index, 0, sign != 0.0);
+        if !self.is_tracked {
+            self.plane = index;
+        }
     }
 }
 
@@ -224,13 +243,13 @@ impl Sweep<'_> {
     /// returns true. Returns false and changes nothing if the left half is the mirror image of the right one,
     /// or if this has been done before.
     pub fn reverse(&mut self) -> bool {
-        let Self { bounds, direction, root } = self;
+        let Self { bounds, direction, root, .. } = self;
         if bounds.is_mirrored || direction.is_reversed {
             return false;
         }
         direction.rays.reverse();
         (direction.is_reversed, direction.len) = (true, bounds.left);
-        (root.is_tracked, root.end, root.probed) = (false, None, u32::MAX);
+        (root.is_tracked, root.end, root.probed, root.plane) = (false, None, u32::MAX, usize::MAX);
         true
     }
 

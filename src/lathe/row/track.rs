@@ -40,10 +40,11 @@ impl Sweep<'_> {
         let [c0, c1, c2, c3] = segment.f;
         let certain = root.certificate.slope;
         let step_tolerance = root.certificate.own.step_tolerance;
-        // Within the tolerance of the solid's ends, in height, the row decides nothing.
+        // Within the tolerance of the solid's ends and of steps, in height, the row decides nothing.
         let pad = bounds.tolerance * segment.per_height;
-        let from = if root.index == 0 { pad } else { 0.0 };
-        let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { 0.0 };
+        let knot_pad = bounds.knot_tolerance * segment.per_height;
+        let from = if root.index == 0 { pad } else { knot_pad };
+        let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
         let width = greater(0.0, 1.0 - from - to_end).to_bits();
         let (mut s, mut step, mut bend) = (root.s, root.step, root.bend);
         let start = i;
@@ -77,7 +78,7 @@ impl Sweep<'_> {
                 let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
                 // The bits of a negative number or a NaN, as an integer, are greater than those of `width`.
                 if (u - from).to_bits() > width {
-                    end = if u > 0.5 { TrackEnd::LeftUpwards } else { TrackEnd::LeftDownwards };
+                    end = TrackEnd::Left { upper: u > 0.5 };
                     break 'pixels;
                 }
                 if !(slope > certain || self.is_nearest_by_cubic(u, slope, back, dot_xy(d, d), d.z)) {

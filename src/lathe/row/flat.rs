@@ -1,0 +1,82 @@
+//! Pixels that see a flat part of the surface: a cap or a ring. Both lie on the plane of a knot, between the
+//! squared radius that the profile has just below the plane and the one that it has just above. A ray that
+//! passes the plane between the two crosses the surface there.
+//!
+//! If that is the plane of the end at which the ray comes to the solid, nothing of the solid hides the flat
+//! part: all of the solid lies beyond the plane. On any other plane it is seen if g keeps its sign on the way
+//! there, which a probe certifies.
+
+use super::normal::Seen;
+use super::sweep::{Flat, Span, Sweep};
+use crate::lathe::frame::KnotPlane;
+use crate::math::minmax::{greater, lesser};
+
+impl Sweep<'_> {
+    /// The span of pixels, from the i-th on, that may see a cap or a ring: on the plane at which the i-th ray
+    /// comes to the solid, or on the one that `root.plane` names. Nothing hides that from these pixels: each
+    /// sees it if its ray [passes](Sweep::passes) through it, as the i-th does. `None` if the i-th is not
+    /// certain to see one; then `root.plane` names none.
+    #[inline(always)]
+    pub(super) fn flat_span(&mut self, i: u32) -> Option<Span> {
+        let frame = self.bounds.lathe.frame;
+        let rises = self.ray(i).1.z > 0.0;
+        let (first, end) = if rises { (0, &frame.base) } else { (frame.len, &frame.top) };
+        if end.wall == end.beyond && self.root.plane > frame.len {
+            return None;
+        }
+        self.flat_on_either(i, first, rises)
+    }
+
+    /// Does what [`Sweep::flat_span`] does: `first` is the number of the plane at which the i-th ray comes to
+    /// the solid, `rises` whether it rises.
+    #[inline(never)]
+    fn flat_on_either(&mut self, i: u32, first: usize, rises: bool) -> Option<Span> {
+        for number in [first, self.root.plane] {
+            let Some(KnotPlane { z, below, above }) = self.bounds.lathe.plane(number) else { break };
+            let (inner, outer) = (lesser(below, above), greater(below, above));
+            // A cap reaches to the axis: it has no inner rim, and no r² is negative.
+            let inner = if inner > 0.0 { inner } else { -outer };
+            let up = if rises { -1.0 } else { 1.0 };
+            self.flat = Flat { z, middle: 0.5 * (outer + inner), half: 0.5 * (outer - inner), up };
+            if self.passes(i).is_none() {
+                continue;
+            }
+            let mut to = self.direction.len;
+            if number != first {
+                let path = self.path(i);
+                let (near, _) = self.interval(&path);
+                let sign = if rises == (above > below) { 1.0 } else { -1.0 };
+                let before = self.below_zero(i, &path, sign, (near, path.plane(z)), usize::MAX);
+                to = to.min(before.unwrap_or(i));
+            }
+            if to > i {
+                return Some(Span::Flat { to });
+            }
+        }
+        self.root.plane = usize::MAX;
+        None
+    }
+
+    /// The s at which the i-th ray passes through the cap or the ring of the last [`Span::Flat`], clear of its
+    /// rims by more than the tolerance. `None` if it does not, or if its distance is not certain enough to be
+    /// compared.
+    // Not `inline(always)`: in a build for size, flash should contain the function only once.
+    #[inline]
+    pub fn passes(&self, i: u32) -> Option<f32> {
+        let (m, d) = self.ray(i);
+        let flat = &self.flat;
+        let s = (flat.z - m.z) / d.z;
+        let (x, y) = (m.x + s * d.x, m.y + s * d.y);
+        // An error of the height moves the point by 1/|dz| times as much: so the flatter the ray, the farther
+        // from a rim the point has to be. At |dz| = 1 its r² has to differ from the rim's by the tolerance.
+        let toward = -flat.up * d.z;
+        let clear = (flat.half - (x * x + y * y - flat.middle).abs()) * toward;
+        (clear > self.bounds.tolerance && 4.0 * toward >= self.bounds.least_slope).then_some(s)
+    }
+
+    /// What a pixel sees of the cap or the ring of the last [`Span::Flat`].
+    #[inline(always)]
+    pub fn flat(&self) -> Seen {
+        Seen::flat(self.flat.up)
+    }
+}

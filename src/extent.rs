@@ -62,13 +62,11 @@ impl Solid<'_> {
         if camera.is_perspective() && !seen.is_behind(back, seen.eye) {
             return Some(Extent { left: 0, top: 0, right: width, bottom: height });
         }
-        // The pixel's centre, counted in half-widths of the picture from its middle.
-        let place = |i: u32, of: u32| (2.0 * i as f32 + 1.0 - of as f32) / width as f32;
-        let left = clear(width, |x| seen.is_beside(seen.right * place(x, width), seen.up, -1.0));
-        let right = clear(width, |x| seen.is_beside(seen.right * place(width - 1 - x, width), seen.up, 1.0));
-        let top = clear(height, |y| seen.is_beside(seen.up * -place(y, height), seen.right, -1.0));
-        let bottom =
-            clear(height, |y| seen.is_beside(seen.up * -place(height - 1 - y, height), seen.right, 1.0));
+        let Seen { right: x, up: y, .. } = seen;
+        let left = seen.clear(width, width, x, y * -1.0);
+        let right = seen.clear(width, width, x * -1.0, y);
+        let top = seen.clear(height, width, y * -1.0, x * -1.0);
+        let bottom = seen.clear(height, width, y, x);
         let extent = Extent { left, top, right: width - right, bottom: height - bottom };
         (!extent.is_empty()).then_some(extent)
     }
@@ -105,30 +103,35 @@ impl<'a> Seen<'a> {
         self.solid.sheets().all(|sheet| sheet.lathe().is_behind(normal, point, self.rough))
     }
 
-    /// Whether no ray of a column or row hits the solid, since it lies on one side of all of them: to the right
-    /// or above (`side` is −1), or to the left or below (1). `offset` is the vector from the middle of the
-    /// picture to that line of pixels, `along` a vector along the line.
-    fn is_beside(&self, offset: F32x3, along: F32x3, side: f32) -> bool {
+    /// How many columns or rows are proven to be clear of the solid, counted from one edge of the picture: the
+    /// largest number whose last line is, found by bisection. `lines` is how many there are. `across` is the
+    /// vector from the middle of the picture away from that edge, a half-width long; `along` is a vector along
+    /// the lines whose product with the direction of the rays points to that edge.
+    #[inline(never)]
+    fn clear(&self, lines: u32, width: u32, across: F32x3, along: F32x3) -> u32 {
+        let (mut least, mut most) = (0, lines);
+        while least < most {
+            let middle = least + (most - least).div_ceil(2);
+            // The line's place, counted in half-widths from the middle, negative on this edge's side.
+            let place = (2.0 * (middle - 1) as f32 + 1.0 - lines as f32) / width as f32;
+            if self.is_inside_of(across * place, along) {
+                least = middle;
+            } else {
+                most = middle - 1;
+            }
+        }
+        least
+    }
+
+    /// Whether no ray of a column or a row hits the solid, since all of the solid lies on that side of them
+    /// which the product of the rays' direction and `along` points away from. `offset` is the vector from the
+    /// middle of the picture to that line of pixels, `along` a vector along the line.
+    fn is_inside_of(&self, offset: F32x3, along: F32x3) -> bool {
         let (direction, point) = if self.is_perspective {
             (self.forward + offset, self.eye)
         } else {
             (self.forward, self.eye + offset * (1.0 / self.solid.pose().scale()))
         };
-        self.is_behind(cross(direction, along) * side, point)
+        self.is_behind(cross(direction, along), point)
     }
-}
-
-/// How many of so many lines of pixels are clear, counted from the first: the largest number whose last line
-/// is, found by bisection.
-fn clear(lines: u32, is_clear: impl Fn(u32) -> bool) -> u32 {
-    let (mut least, mut most) = (0, lines);
-    while least < most {
-        let middle = least + (most - least).div_ceil(2);
-        if is_clear(middle - 1) {
-            least = middle;
-        } else {
-            most = middle - 1;
-        }
-    }
-    least
 }

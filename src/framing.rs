@@ -96,11 +96,15 @@ impl Camera {
     const fn reaches(&self, solids: &[Solid], along: F32x3, bias: F32x3) -> [f32; 2] {
         let directions = [sum(along, bias), difference(bias, along)];
         let (mut reaches, mut i) = ([f32::NEG_INFINITY; 2], 0);
-        while i < 2 * solids.len() {
-            let (solid, n) = (&solids[i / 2], directions[i % 2]);
-            let reach = dot(n, solid.center_from(self.eye)) + solid.support(n);
-            if !(reach < reaches[i % 2]) {
-                reaches[i % 2] = reach;
+        while i < solids.len() {
+            let mut side = 0;
+            while side < 2 {
+                let n = directions[side];
+                let reach = dot(n, solids[i].center_from(self.eye)) + solids[i].support(n);
+                if !(reach < reaches[side]) {
+                    reaches[side] = reach;
+                }
+                side += 1;
             }
             i += 1;
         }

@@ -218,7 +218,24 @@ fn a_projected_point_is_where_its_ray_is() {
     );
 }
 
-/// No pixel of the outermost rows and columns hits a solid, and the solids fill what they can.
+/// That no ray beside the picture hits a solid. Returns whether the solids fill three quarters of its width or height.
+fn is_framed(solids: &[Solid], camera: Camera, (width, height): (u32, u32), what: &str) -> bool {
+    let is_hit = |x: i32, y: i32| {
+        let ray = camera.ray_at(Point::new(x, y), Size::new(width, height));
+        solids.iter().any(|solid| solid.nearest(&ray, 0.0).is_some())
+    };
+    let (right, bottom) = (width as i32, height as i32);
+    for x in -9..right + 9 {
+        assert!(!is_hit(x, -1) && !is_hit(x, bottom), "{what}: column {x}");
+    }
+    for y in -9..bottom + 9 {
+        assert!(!is_hit(-1, y) && !is_hit(right, y), "{what}: row {y}");
+    }
+    let covered = Scene::new(solids, camera, scenes::DAYLIGHT).picture(width, height).covered().size;
+    4 * covered.width > 3 * width || 4 * covered.height > 3 * height
+}
+
+/// No pixel beside the picture hits a solid, and the solids fill what they can.
 #[test]
 fn a_framing_camera_holds_all_solids() {
     let mut rng = ChaCha8Rng::seed_from_u64(31);
@@ -231,21 +248,14 @@ fn a_framing_camera_holds_all_solids() {
         let (width, height) = (rng.random_range(20..50), rng.random_range(20..50));
         let camera = before.framing(&solids, width, height).unwrap();
         assert_eq!(camera.forward(), before.forward());
-        let picture = Scene::new(&solids, camera, scenes::DAYLIGHT).picture(width, height);
-        let is_hit = |x: i32, y: i32| {
-            let ray = camera.ray_at(Point::new(x, y), Size::new(width, height));
-            solids.iter().any(|solid| solid.nearest(&ray, 0.0).is_some())
-        };
-        let (right, bottom) = (width as i32, height as i32);
-        for x in -9..right + 9 {
-            assert!(!is_hit(x, -1) && !is_hit(x, bottom), "case {case}: column {x}");
-        }
-        for y in -9..bottom + 9 {
-            assert!(!is_hit(-1, y) && !is_hit(right, y), "case {case}: row {y}");
-        }
         // The cylinders touch two opposite edges of what may be filled; some solids are well within theirs.
-        let covered = picture.covered().size;
-        full += usize::from(4 * covered.width > 3 * width || 4 * covered.height > 3 * height);
+        full += usize::from(is_framed(&solids, camera, (width, height), &format!("case {case}")));
+    }
+    for ((name, scene), size) in
+        scenes::NAMED.into_iter().flat_map(|named| [(named, (240, 240)), (named, (31, 70))])
+    {
+        let camera = scene.camera.framing(scene.solids, size.0, size.1).unwrap();
+        assert!(is_framed(scene.solids, camera, size, name), "{name}");
     }
     assert!(full > 150, "{full}");
     let camera = scenes::VASE_SCENE.camera;
@@ -269,10 +279,8 @@ fn a_framing_camera_holds_all_solids() {
 fn what_is_under_a_pixel_is_what_it_shows() {
     let mut rng = ChaCha8Rng::seed_from_u64(77);
     let mut picked = [0; 3];
-    for case in 0..200 {
-        let lathes = random::random_lathes(&mut rng);
-        let solids = random::posed(&mut rng, &lathes);
-        let scene = Scene::new(&solids, random::random_camera(&mut rng), scenes::DAYLIGHT);
+    let mut check = |scene: &Scene, case: &str| {
+        let solids = scene.solids;
         let size = Size::new(24, 18);
         for (x, y) in (-1..25).flat_map(|x| (-1..19).map(move |y| (x, y))) {
             let found = scene.pick(Point::new(x, y), size);
@@ -292,6 +300,13 @@ fn what_is_under_a_pixel_is_what_it_shows() {
             );
             picked[found.map_or(0, |pick| 1 + pick.solid.min(1))] += 1;
         }
+    };
+    scenes::NAMED.into_iter().for_each(|(name, scene)| check(scene, name));
+    for case in 0..200 {
+        let lathes = random::random_lathes(&mut rng);
+        let solids = random::posed(&mut rng, &lathes);
+        let scene = Scene::new(&solids, random::random_camera(&mut rng), scenes::DAYLIGHT);
+        check(&scene, &format!("case {case}"));
     }
     assert!(picked.iter().all(|&pixels| pixels > 1000), "{picked:?}");
     // A body's sheets are told apart.

@@ -415,6 +415,45 @@ fn only_what_changed_is_drawn_again() {
     assert!(drawn < 40 * 80 * 60 / 4, "{drawn}");
 }
 
+/// Scenes whose solids jump to other poses: the rectangle of what they covered and cover is enough, whatever they are.
+#[test]
+fn scenes_that_jump_are_drawn_by_their_rectangles() {
+    let mut rng = ChaCha8Rng::seed_from_u64(18);
+    let mut compared = Compared::default();
+    let mut drawn = 0;
+    let mut check = |scene: &Scene, after: &[Solid], what: &str| {
+        let (picture, next) = (scene.picture(45, 38), scene.with_solids(after));
+        let next = next.picture(45, 38);
+        let mut display = Recorder::of_size(45, 38);
+        picture.at(Point::zero()).draw(&mut display).unwrap();
+        display.next_frame();
+        let changed = Redraw::new(picture.covered()).next(next.covered());
+        next.at(Point::zero()).only(&changed).draw(&mut display).unwrap();
+        assert_eq!(display.written, points(&changed), "{what}");
+        drawn += display.written.len();
+        for (i, truth) in whole(&next).into_iter().enumerate() {
+            compared.add(display.at((i % 45) as i32, (i / 45) as i32).unwrap(), truth, what);
+        }
+    };
+    for (name, scene) in scenes::NAMED {
+        let pose = Pose::new([0.3, -0.1, 0.2], Rotation::about_y(0.4), 0.8).unwrap();
+        let after: Vec<_> =
+            scene.solids.iter().map(|solid| solid.posed(solid.pose().then(pose).unwrap())).collect();
+        check(scene, &after, name);
+    }
+    for case in 0..200 {
+        let lathes = random::random_lathes(&mut rng);
+        let (before, after) = (random::posed(&mut rng, &lathes), random::posed(&mut rng, &lathes));
+        let camera =
+            if case % 2 == 0 { random::random_camera(&mut rng) } else { random::upright_camera(&mut rng) };
+        let scene = Scene::new(&before, camera, scenes::DAYLIGHT).with_background(scenes::SKY);
+        check(&scene, &after, &format!("case {case}"));
+    }
+    println!("{drawn} of {} pixels drawn, {} differ by a step", compared.pixels, compared.differ);
+    compared.assert_few();
+    assert!(drawn < compared.pixels * 9 / 10);
+}
+
 /// A pointer in the knob's pose shows that the knob turns: by 5°, from any angle on. Only the pointer's rectangle is drawn.
 #[test]
 fn a_knob_is_seen_to_turn() {

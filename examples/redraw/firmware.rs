@@ -41,12 +41,14 @@ const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT)
 
 type Solids = Result<[Solid<'static>; 2], SceneError>;
 
+/// The solids at an angle in radians.
+type Turn = fn(f32) -> Solids;
+
 #[entry]
 fn main() -> ! {
     clock::start();
     println!("scene,drawn,pixels,instructions");
-    let scenes: [(_, _, fn(f32) -> Solids); 2] =
-        [("turning knob", &DIAL, dial), ("moving ball", &ORBIT, orbit)];
+    let scenes: [(&str, &Scene, Turn); 2] = [("turning knob", &DIAL, dial), ("moving ball", &ORBIT, orbit)];
     for (name, scene, solids) in scenes {
         for (drawn, is_whole) in [("whole", true), ("rectangle", false)] {
             let (pixels, instructions) = measure(|| turn(scene, solids, is_whole));
@@ -59,7 +61,7 @@ fn main() -> ! {
 
 /// Draws a turn; returns how many pixels. The second solid is the one that moves.
 #[inline(never)]
-fn turn(scene: &Scene, solids: fn(f32) -> Solids, is_whole: bool) -> Result<u32, SceneError> {
+fn turn(scene: &Scene, solids: Turn, is_whole: bool) -> Result<u32, SceneError> {
     let mut display = Sink::<Color>::new(WIDTH, HEIGHT);
     let mut row = [BLANK; WIDTH as usize];
     let mut pixels = 0;

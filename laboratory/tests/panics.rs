@@ -57,6 +57,9 @@ fn firmware_cannot_panic() {
         (M0, "footprint-renderer"),
         (M3, "footprint-renderer"),
         (M4F, "footprint-renderer"),
+        (M0, "footprint-screen"),
+        (M3, "footprint-screen"),
+        (M4F, "footprint-screen"),
         (M3, "oled"),
         (M4F, "oled"),
     ] {

@@ -69,22 +69,32 @@ impl<C: Paint + PixelColor> Overlay<'_, C> {
         let part = self.placed.within(&target.bounding_box());
         for y in part.top..part.bottom {
             let mut x = part.left;
-            while x < part.right {
-                let len = room.len().min((part.right - x) as usize);
-                let Some(run) = room.get_mut(..len) else { break };
+            while let Some(run) = room.get_mut(..room.len().min((part.right - x) as usize))
+                && !run.is_empty()
+            {
                 self.placed.picture().part_of_row(x, y, run);
-                for pixels in run.chunk_by(|one, next| one.is_some() == next.is_some()) {
-                    let right = x + pixels.len() as u32;
-                    if let [Some(_), ..] = pixels {
-                        let span = Extent { left: x, top: y, right, bottom: y + 1 };
-                        target.fill_contiguous(
-                            &self.placed.on_display(span),
-                            pixels.iter().copied().flatten(),
-                        )?;
-                    }
-                    x = right;
-                }
+                self.draw_run(target, (x, y), run)?;
+                x += run.len() as u32;
             }
+        }
+        Ok(())
+    }
+
+    /// Draws those pixels of a row from column x on that are not `None`: neighbours in one call.
+    fn draw_run<D>(&self, target: &mut D, (x, y): (u32, u32), run: &[Option<C>]) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color = C>,
+    {
+        let mut at = 0;
+        while at < run.len() {
+            let pixels = run.iter().skip(at).copied().map_while(|pixel| pixel);
+            let len = pixels.clone().count();
+            if len > 0 {
+                let left = x + at as u32;
+                let span = Extent { left, top: y, right: left + len as u32, bottom: y + 1 };
+                target.fill_contiguous(&self.placed.on_display(span), pixels)?;
+            }
+            at += len + 1;
         }
         Ok(())
     }

@@ -34,6 +34,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// cubic in u.
     ///
     /// False if a number overflows or is NaN, and always for an endless sheet (k = 0).
+    #[inline(never)]
     pub(crate) fn is_behind(&self, normal: F32x3, point: F32x3, rough: f32) -> bool {
         let View { frame, segments } = self.view();
         let Some((n, _)) = to_one(normal) else {

@@ -131,6 +131,7 @@
 //! - A waist of zero radius is as exact as the rest if a knot lies there. Where f touches zero inside a
 //!   segment, f is off by up to 8ε of the segment's largest squared radius, and so the radius by up to √(8ε)
 //!   of the largest radius.
+//! - [`Picture::covered_by`] holds every pixel of a picture whose ray hits the solid.
 //! - No result is NaN, no call panics, and no ray slips through between two segments.
 //!
 //! The tests check these promises for every solver of [`solve`] with every backend of [`math`], which

@@ -60,6 +60,9 @@ use crate::solid::Solid;
 /// # Ok::<(), SceneError>(())
 /// ```
 ///
+/// What a frame changes is often a small part of the picture: [`Redraw`](crate::Redraw) says which rectangle to
+/// draw again.
+///
 /// # More to come
 ///
 /// A scene is made by [`Scene::new`], not as a literal. Later versions may add fields; `new` will set each so

@@ -18,8 +18,9 @@ pub(crate) enum Piece {
     Vector([f32; 3]),
 }
 
-/// The pieces of a message, in order. Two messages are equal if all their pieces are equal. Numbers are
-/// compared by their bits, so that a NaN equals itself.
+/// The pieces of a message, in order. Two messages are equal if all their pieces are equal. Numbers are equal
+/// if they are written the same way: 0 and −0 differ, and any two NaNs are equal, since the sign of a NaN
+/// differs from machine to machine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Message([Piece; 6]);
 
@@ -84,11 +85,16 @@ impl PartialEq for Piece {
         match (*self, *other) {
             (Self::Text(a), Self::Text(b)) => a == b,
             (Self::Count(a), Self::Count(b)) => a == b,
-            (Self::Number(a), Self::Number(b)) => a.to_bits() == b.to_bits(),
-            (Self::Vector(a), Self::Vector(b)) => a.map(f32::to_bits) == b.map(f32::to_bits),
+            (Self::Number(a), Self::Number(b)) => bits(a) == bits(b),
+            (Self::Vector(a), Self::Vector(b)) => a.map(bits) == b.map(bits),
             _ => false,
         }
     }
+}
+
+/// The bits of a number, those of one NaN for all of them.
+fn bits(x: f32) -> u32 {
+    if x.is_nan() { f32::NAN } else { x }.to_bits()
 }
 
 impl PartialEq for Message {
@@ -103,8 +109,8 @@ impl Hash for Message {
             match piece {
                 Piece::Text(text) => text.hash(state),
                 Piece::Count(count) => count.hash(state),
-                Piece::Number(x) => x.to_bits().hash(state),
-                Piece::Vector(v) => v.map(f32::to_bits).hash(state),
+                Piece::Number(x) => bits(x).hash(state),
+                Piece::Vector(v) => v.map(bits).hash(state),
             }
         }
     }
@@ -229,6 +235,21 @@ mod tests {
                 continue;
             }
             assert_eq!(written([Number(x)]), std::format!("{x:?}"));
+        }
+    }
+
+    #[test]
+    fn messages_are_equal_if_their_texts_are() {
+        let message = |x: f32| Message::of([Number(x), Vector([1.0, x, 2.0])]);
+        let hash = |message: Message| {
+            let mut state = std::hash::DefaultHasher::new();
+            message.hash(&mut state);
+            state.finish()
+        };
+        for [a, b] in [[f32::NAN, -f32::NAN], [0.0, -0.0], [1.0, 1.0], [1.0, 2.0]] {
+            let [a, b] = [a, b].map(message);
+            let same = a.to_string() == b.to_string();
+            assert_eq!((a == b, hash(a) == hash(b)), (same, same), "{a} {b}");
         }
     }
 

@@ -17,9 +17,8 @@ const MARGIN: f32 = 1.0 + 8.0 * UNIT_ROUNDOFF;
 
 /// For a plane with normal n to be taken, `between·n` must exceed the sum of both support functions by this
 /// times the square of the sum of both radii; `between` is the vector between the solids' centers. If n is
-/// shorter than 10⁻¹⁹, its
-/// square underflows, and with it the support functions; but then `between·n` is at most 10⁻¹⁹ times the
-/// distance between the centers, so that such an n is never taken for a separating one.
+/// shorter than 10⁻¹⁹, its square underflows, and with it the support functions; but then `between·n` is at
+/// most 10⁻¹⁹ times the distance between the centers, so that such an n is never taken for a separating one.
 const LEAST: f32 = 1e-12;
 
 /// The distance at which the eye is taken to be if the rays are parallel, in units of the sum of both radii.

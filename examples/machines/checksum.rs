@@ -7,16 +7,21 @@ use embedded_lathe::Scene;
 const WIDTH: u32 = 128;
 const HEIGHT: u32 = 64;
 
-/// The 64-bit FNV-1a hash of a scene's picture: of its pixels row by row, each as two bytes, high byte first.
+/// The [`hash`] of a scene's picture: of its pixels row by row, each as two bytes, high byte first.
 pub fn of(scene: &Scene) -> u64 {
     let picture = scene.picture(WIDTH, HEIGHT);
     let mut row = [Rgb565::new(0, 0, 0); WIDTH as usize];
-    let mut hash = 0xcbf2_9ce4_8422_2325;
-    for y in 0..HEIGHT {
-        picture.row(y, &mut row);
-        for byte in row.iter().flat_map(|color| color.to_be_bytes()) {
-            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-    }
-    hash
+    hash(
+        (0..HEIGHT)
+            .flat_map(|y| {
+                picture.row(y, &mut row);
+                row.map(|color| color.to_be_bytes())
+            })
+            .flatten(),
+    )
+}
+
+/// The 64-bit FNV-1a hash of bytes.
+pub fn hash(bytes: impl Iterator<Item = u8>) -> u64 {
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

@@ -1,4 +1,4 @@
-//! The reference scenes' pictures, a number each: every machine prints the same.
+//! The reference scenes' pictures and the solvers' roots, a number each: every machine prints the same.
 //!
 //! ```text
 //! cargo run --release --example machines                                 the host
@@ -10,6 +10,7 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod checksum;
+mod roots;
 #[allow(dead_code)]
 #[path = "../scenes/mod.rs"]
 mod scenes;
@@ -38,9 +39,13 @@ fn main() {
     print();
 }
 
-/// A line for each scene: its name, and the checksum of its picture.
+/// A line for each scene: its name, and the checksum of its picture. Then a line for each solver: its name,
+/// and the checksum of its roots.
 fn print() {
     for (name, scene) in scenes::NAMED {
         println!("{},{:016x}", name, checksum::of(scene));
+    }
+    for (name, checksum) in roots::SOLVERS {
+        println!("{},{:016x}", name, checksum());
     }
 }

@@ -1,4 +1,5 @@
-//! The same source gives the same bits: every emulated machine computes the pictures that the host computes.
+//! The same source gives the same bits: every emulated machine computes the pictures and the roots of cubics
+//! that the host computes.
 //!
 //! ```text
 //! cargo test -p embedded-lathe-laboratory --test machines -- --ignored       needs qemu-system-arm, qemu-system-riscv32 and the targets
@@ -6,11 +7,16 @@
 
 #[path = "../../examples/machines/checksum.rs"]
 mod checksum;
+#[path = "../../examples/machines/roots.rs"]
+mod roots;
 #[allow(dead_code)]
 #[path = "../../examples/scenes/mod.rs"]
 mod scenes;
 
-use laboratory::firmware;
+use embedded_lathe::math::Std;
+use embedded_lathe::solve::{BACKWARD_ERROR, Solver, Split};
+use laboratory::judge::Truth;
+use laboratory::{firmware, over_every_backend};
 use std::path::Path;
 use std::process::Command;
 
@@ -26,10 +32,12 @@ fn printed(target: &str, machine: Option<&str>) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Asserts that a machine prints the checksums of the host's own pictures.
+/// Asserts that a machine prints the checksums of the host's own pictures and roots.
 fn agrees_with_the_host(target: &str, machine: Option<&str>) {
+    let pictures = scenes::NAMED.iter().map(|(name, scene)| (*name, checksum::of(scene)));
+    let roots = roots::SOLVERS.iter().map(|(name, checksum)| (*name, checksum()));
     let expected: Vec<_> =
-        scenes::NAMED.iter().map(|(name, scene)| format!("{name},{:016x}", checksum::of(scene))).collect();
+        pictures.chain(roots).map(|(name, checksum)| format!("{name},{checksum:016x}")).collect();
     let printed = printed(target, machine);
     assert_eq!(printed.lines().collect::<Vec<_>>(), expected, "{target} {machine:?}");
 }
@@ -67,3 +75,39 @@ fn checksums_tell_pictures_apart() {
     sums.dedup();
     assert_eq!(sums.len(), scenes::NAMED.len());
 }
+
+/// Correctly rounded square roots are the same by every backend; and so are the roots of cubics made with
+/// them, also where an intermediate result is NaN, whose sign differs from machine to machine, and from build
+/// to build.
+#[test]
+fn correctly_rounded_backends_find_the_same_roots() {
+    let [native, libm] = ["split native", "split libm"].map(|wanted| {
+        let (_, checksum) = roots::SOLVERS.iter().find(|(name, _)| *name == wanted).unwrap();
+        checksum()
+    });
+    assert_eq!(native, roots::of::<Split<Std>>());
+    assert_eq!(native, libm);
+}
+
+/// What is compared is right, too: each list of roots keeps the promises, by exact arithmetic.
+fn keeps_the_promise<S: Solver>() {
+    let (mut found, mut promise) = ([0; 4], 0.0_f64);
+    for (g, lo, hi) in roots::cubics().step_by(5) {
+        let roots = g.roots_by::<S>(lo, hi);
+        found[roots.len()] += 1;
+        if !g.c.iter().all(|c| c.is_finite()) {
+            assert!(roots.is_empty(), "{g:?}: {roots:?}");
+            continue;
+        }
+        let truth = Truth::promised(&g.c, lo.max(f32::MIN), hi.min(f32::MAX));
+        let first = truth.judge(roots.first().map(|root| f64::from(*root))).units;
+        let units = roots.iter().map(|root| truth.residual(f64::from(*root))).fold(first, f64::max);
+        let said = || format!("{g:?} in [{lo}, {hi}]: {roots:?}, off by {units} units, {:?}", truth.roots);
+        assert!(units <= f64::from(BACKWARD_ERROR), "{}", said());
+        assert!(roots.is_sorted(), "{}", said());
+        promise = promise.max(units);
+    }
+    assert!(promise > 1.0 && found.iter().all(|count| *count > 20), "{promise}, {found:?}");
+}
+
+over_every_backend!(keeps_the_promise);

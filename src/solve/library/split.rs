@@ -13,9 +13,9 @@ use core::marker::PhantomData;
 ///
 /// If the root lies towards the other critical point, b is from 0 to `√6/9`: at that value the root is the
 /// point of inflection, and beyond it the other critical point would be the nearer. If it lies in the other
-/// direction, b is negative without bound. Where b is below −3/4 the cubic term dominates, and Newton's
-/// method finds d. Where there is no critical point the root is computed from the point of inflection.
-/// (`inflection.rs` has both.)
+/// direction, b is negative without bound. Where b is below −3/4, or NaN, the cubic term dominates, and
+/// Newton's method finds d. Where there is no critical point the root is computed from the point of
+/// inflection. (`inflection.rs` has both.)
 ///
 /// Φ is computed by a polynomial of five terms, within 2.7·10⁻³, and a Newton step on its equation, which
 /// leaves 5.2·10⁻⁶. One Newton step on g removes that error, and the rounding of the critical point. The step
@@ -74,8 +74,10 @@ fn from_turning<M: Math>(g: &Cubic, piece: &Piece) -> Guess {
     };
     let e = M::sqrt(height.abs() * per_bend);
     let b = ratio * e;
-    // True if b < −3/4 (or NaN with the sign bit set): the bits of negative numbers rise with the magnitude.
-    if b.to_bits() > (-0.75_f32).to_bits() {
+    // True if b < −3/4, and if b is NaN, of either sign: 0·∞, where bend is so small that 1/bend is infinite,
+    // is negative on x86 and positive on Arm. A b above √6/9 is due to rounding, and then every point of the
+    // piece is a root within rounding.
+    if b.abs().to_bits() > 0.75_f32.to_bits() {
         let (d, slope) = positive_root(height.abs(), [0.0, bend, -c3]);
         return Guess { from, d: way * d, slope: -slope };
     }
@@ -109,7 +111,14 @@ fn newton(g: &Cubic, Guess { from, d, slope }: Guess) -> f32 {
     }
     let step = g.at(u) / slope;
     let most = 0.5 * d.abs();
-    u - if step.abs() <= most { step } else { most.copysign(step) }
+    // If the step is 0/0, points d/2 from u are roots, too: where the slope underflows, so does bend·d².
+    u - if step.abs() <= most {
+        step
+    } else if step > 0.0 {
+        most
+    } else {
+        -most
+    }
 }
 
 /// Whether |u| is below about 2⁻⁹·|from|. The threshold is met within a factor of 2, since the difference of
@@ -122,7 +131,9 @@ fn is_lost(u: f32, from: f32) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{nearly_phi, phi};
+    use super::{Split, nearly_phi, phi};
+    use crate::cubic::Cubic;
+    use crate::math::{Libm, Micromath, Native};
 
     /// Where `y²·(1 − b·y) = 1`: Newton's method, from 1/2 up, where it is steeper than beyond.
     fn exactly(b: f64) -> f64 {
@@ -145,5 +156,17 @@ mod tests {
         }
         assert!(0.9 * 2.7e-3 < before && before <= 2.7e-3, "{before}");
         assert!(0.9 * 5.2e-6 < after && after <= 5.2e-6, "{after}");
+    }
+
+    /// A double root at 0, and a third beside it: bend is subnormal, so that 1/bend is infinite, and NaN when
+    /// multiplied by the height, which is zero.
+    #[test]
+    fn a_subnormal_bend_gives_roots() {
+        let g = Cubic::new([0.0, 0.0, -1e-39, 0.01]);
+        let roots = g.roots_by::<Split<Native>>(-1.0, 1.0);
+        // Up to the third root, at 10⁻³⁷, the cubic's values count as zero.
+        assert!(roots[..2] == [0.0, 0.0] && 0.0 < roots[2] && roots[2] <= 1e-37, "{roots:?}");
+        assert_eq!(g.roots_by::<Split<Libm>>(-1.0, 1.0), roots);
+        assert_eq!(g.roots_by::<Split<Micromath>>(-1.0, 1.0), roots);
     }
 }

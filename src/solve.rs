@@ -35,7 +35,8 @@
 //! - Each of its roots is a root of some cubic within the bound.
 //! - Between two neighbours in the list some cubic within the bound has the sign that it should have there.
 //! - Two equal roots in the list are a double root of some cubic within the bound.
-//! - The list has no more roots than the degree.
+//! - The list has no more roots than the degree. Every point is a root of the zero cubic, and the list holds
+//!   the interval's first one alone.
 //! - Some cubic within the bound has as many roots as the list, except where three roots are nearly one and
 //!   the interval ends beside them.
 //!

@@ -6,8 +6,8 @@
 //! cargo test -p embedded-lathe-laboratory --test roots -- --ignored      four million of them, by every solver over every backend
 //! ```
 
-use embedded_lathe::Cubic;
 use embedded_lathe::solve::{Cardano, DefaultSolver, Solver, Split};
+use embedded_lathe::{Bernstein, Cubic};
 use laboratory::{ROUNDOFF, over_every_backend};
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, RngExt, SeedableRng};
@@ -17,7 +17,7 @@ fn check<S: Solver>(c: [f32; 4], lo: f32, hi: f32) -> usize {
     let g = Cubic::new(c);
     let roots = g.roots_by::<S>(lo, hi);
     let said = || format!("{:08x?} in [{lo:e}, {hi:e}]: {roots:?}", c.map(f32::to_bits));
-    // The zero polynomial is said to vanish first at lo.
+    // Of the zero polynomial's roots the first is returned.
     let degree = (1..4).rev().find(|&j| c[j] != 0.0).unwrap_or(usize::from(c[0] == 0.0));
     assert!(roots.len() <= degree, "{}", said());
     assert!(roots.is_sorted(), "{}", said());
@@ -108,7 +108,29 @@ fn about_a_root<S: Solver>() {
     }
 }
 
+/// Every point is a root of the zero cubic: of an interval the first one is returned, alone.
+fn zero_has_one<S: Solver>() {
+    let ends = [f32::NEG_INFINITY, f32::MIN, -1e30, -1.0, 0.0, 1e-40, 1.0, 1e30, f32::MAX, f32::INFINITY];
+    for lo in ends {
+        for hi in ends {
+            let first = (lo <= hi && lo <= f32::MAX && hi >= f32::MIN).then_some(lo.max(f32::MIN));
+            for c in [[0.0; 4], [-0.0, 0.0, -0.0, 0.0]] {
+                let g = Cubic::new(c);
+                assert_eq!(g.first_root_by::<S>(lo, hi), first, "[{lo}, {hi}]");
+                assert_eq!(g.roots_by::<S>(lo, hi), first.as_slice(), "[{lo}, {hi}]");
+            }
+        }
+    }
+    for b in [[0.0; 4], [-0.0, 0.0, 0.0, -0.0]] {
+        let g = Bernstein::new(b);
+        assert_eq!(g.first_root_by::<S>(), Some(0.0));
+        assert_eq!(g.roots_by::<S>(), [0.0]);
+    }
+    assert_eq!(Bernstein::new([0.0, 1.0, 1.0, 0.0]).roots_by::<S>(), [0.0, 1.0]);
+}
+
 fn lists<S: Solver>() {
+    zero_has_one::<S>();
     parabolas_have_two::<S>();
     double_roots::<S>(20_000);
     of_any_bits::<S>();

@@ -18,7 +18,7 @@ impl Bernstein {
     pub const ROUNDING: f32 = 2.0;
 
     /// The smallest root in [0, 1], by [`DefaultSolver`]. `None` if there is none, or if an ordinate is
-    /// infinite or NaN. 0 if all ordinates are zero.
+    /// infinite or NaN. If all ordinates are zero, every point is a root, and the first is 0.
     ///
     /// Cost: 301 instructions on a Cortex-M4F, the mean of `cargo run --example bench` (`ordinates native`).
     #[must_use]
@@ -28,7 +28,7 @@ impl Bernstein {
 
     /// The roots in [0, 1] in ascending order, by [`DefaultSolver`]: at most three. Rounding decides whether
     /// a double root is found as two that are equal or close, as one at an end of the interval, or not at
-    /// all.
+    /// all. If all ordinates are zero, the list holds 0 alone.
     ///
     /// ```
     /// use embedded_lathe::Bernstein;
@@ -66,7 +66,7 @@ impl Bernstein {
     }
 
     /// The first roots in [0, 1], at most `most` of them, ascending: those of [`Bernstein::over_ratio`], and
-    /// 1 if b3 is zero. Empty if an ordinate is infinite or NaN.
+    /// 1 if b3 is zero. 0 alone if all ordinates are zero. Empty if an ordinate is infinite or NaN.
     fn search<S: Solver>(&self, most: usize) -> Vec<f32, 3> {
         let [_, _, _, b3] = self.b;
         let mut roots = Vec::new();
@@ -77,7 +77,7 @@ impl Bernstein {
             let _ = roots.push(from_ratio(w));
         }
         // At u = 1, where w is infinite, the value is b3.
-        if b3 == 0.0 && roots.len() < most {
+        if b3 == 0.0 && self.b != [0.0; 4] && roots.len() < most {
             let _ = roots.push(1.0);
         }
         roots

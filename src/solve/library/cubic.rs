@@ -18,7 +18,7 @@ impl Cubic {
     ///
     /// `None` if there is no root, if a coefficient is infinite or NaN, or if lo ≤ hi does not hold (as with
     /// NaN). An infinite interval is searched up to the largest finite numbers. If all coefficients are zero,
-    /// the first root is lo.
+    /// every point is a root, and the first is lo, or `f32::MIN` if lo is −∞.
     #[must_use]
     pub fn first_root(&self, lo: f32, hi: f32) -> Option<f32> {
         self.first_root_by::<DefaultSolver>(lo, hi)
@@ -29,7 +29,7 @@ impl Cubic {
     /// interval, or not at all.
     ///
     /// The list is empty where [`Cubic::first_root`] is `None`; otherwise its first entry is that root. If
-    /// all coefficients are zero, lo comes first, and further points may follow.
+    /// all coefficients are zero, that is its only entry.
     ///
     /// ```
     /// use embedded_lathe::Cubic;

@@ -65,6 +65,10 @@ pub(super) fn rescaled<S: Solver>(g: &Cubic, lo: f32, hi: f32, most: usize) -> V
             let g = if log2_unit == 0 && is_tame(g, from, to) { *g } else { stretched(g, log2_unit) };
             let [a, b] = [from, to].map(|u| u * power(-log2_unit));
             sign = Some(collect::<S>(&g, [a, b], sign, power(log2_unit), most, &mut roots));
+            // Every point is a root of the zero cubic. The list then holds the first one alone.
+            if g.c == [0.0; 4] {
+                break;
+            }
         }
     }
     roots

@@ -143,7 +143,7 @@
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | `std` | `math::Std`, the standard library's functions as a third backend |
+//! | `std` | `math::Std`, the standard library's functions as a third backend; without effect on bare-metal targets |
 //! | `defmt` | `defmt::Format` on every public type |
 
 #![no_std]

@@ -20,7 +20,7 @@ mod micromath;
 pub(crate) mod minmax;
 mod native;
 mod rsqrt;
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", not(target_os = "none")))]
 mod std;
 
 pub(crate) use self::cold_path::cold_path;
@@ -28,7 +28,7 @@ pub use self::libm::Libm;
 pub use self::micromath::Micromath;
 pub use self::native::Native;
 pub(crate) use self::rsqrt::rsqrt;
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", not(target_os = "none")))]
 pub use self::std::Std;
 
 /// The unit roundoff of f32, 2⁻²⁴: an addition, multiplication, division or correctly rounded root is off by

@@ -6,7 +6,7 @@ use super::{Libm, Math};
 /// | machine | root |
 /// |---|---|
 /// | hard-float Arm without an operating system | `vsqrt.f32` |
-/// | host, feature `std` | the standard library's |
+/// | any with an operating system, feature `std` | the standard library's |
 /// | any other | [`Libm`]'s |
 ///
 /// ```
@@ -59,7 +59,7 @@ fn sqrt(x: f32) -> f32 {
 
 #[cfg(all(feature = "std", not(target_os = "none")))]
 use super::Std as Root;
-#[cfg(not(feature = "std"))]
+#[cfg(any(not(feature = "std"), target_os = "none"))]
 #[cfg(not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf")))]
 use Libm as Root;
 

@@ -2,7 +2,7 @@ extern crate std;
 
 use super::Math;
 
-/// The standard library's functions, on hosts.
+/// The standard library's functions. Not on bare-metal targets, which have no standard library.
 ///
 /// ```
 /// use embedded_lathe::math::{Math, Std};

@@ -8,8 +8,10 @@ use embedded_lathe::solve::{Cardano, Solver, Split};
 /// So many that the slowest of the emulated machines is done in ten seconds.
 const COUNT: u32 = 4_000;
 
+type Checksum = fn() -> u64;
+
 /// The checksum of the roots of all [`cubics`], for each solver over each library.
-pub const SOLVERS: [(&str, fn() -> u64); 6] = [
+pub const SOLVERS: [(&str, Checksum); 6] = [
     ("split native", of::<Split<Native>>),
     ("split libm", of::<Split<Libm>>),
     ("split micromath", of::<Split<Micromath>>),

@@ -50,7 +50,7 @@ impl Rgb {
     /// This color in shades: each channel times that of `most`, its number of shades. A channel below 0 or
     /// NaN counts as 0, and one above 1 as 1.
     #[inline(never)]
-    pub(crate) fn shades(self, most: Self) -> Shades {
+    pub(crate) fn shades(&self, most: &Self) -> Shades {
         let cut = |share: f32, most: f32| lesser(share, 1.0) * most;
         Shades::of(Self::new(cut(self.r, most.r), cut(self.g, most.g), cut(self.b, most.b)))
     }
@@ -238,7 +238,7 @@ pub trait Paint: Copy {
     /// The color of the pixel in column x, row y, for a color of the renderer.
     #[must_use]
     fn paint(color: Rgb, x: u32, y: u32) -> Self {
-        Self::shade(color.shades(most_shades::<Self>()).rounded(), x, y)
+        Self::shade(color.shades(&most_shades::<Self>()).rounded(), x, y)
     }
 }
 

@@ -25,8 +25,8 @@ impl Finish {
     /// The material of a solid in a light, for a display of colors C; the color is the solid's, or a sheet's
     /// own.
     #[inline(always)]
-    pub fn new<C: Paint>(solid: &Solid, color: Rgb, light: &Light) -> Self {
-        let color = color.shades(most_shades::<C>());
+    pub fn new<C: Paint>(solid: &Solid, color: &Rgb, light: &Light) -> Self {
+        let color = color.shades(&most_shades::<C>());
         let ambient = color.dimmed(Share::of_one(light.ambient));
         Self {
             shininess: solid.shininess(),

@@ -19,7 +19,7 @@ use crate::lathe::Lathe;
 pub struct Sheet<'a> {
     lathe: &'a Lathe,
     is_inner: bool,
-    color: Option<Rgb>,
+    pub(crate) color: Option<Rgb>,
 }
 
 impl<'a> Sheet<'a> {

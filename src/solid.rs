@@ -153,6 +153,12 @@ impl<'a> Solid<'a> {
         self.color
     }
 
+    /// The color of one of its sheets: the sheet's own, or else the solid's.
+    #[inline(always)]
+    pub(crate) fn color_of<'s>(&'s self, sheet: &'s Sheet) -> &'s Rgb {
+        sheet.color.as_ref().unwrap_or(&self.color)
+    }
+
     /// The exponent of its highlight, or zero if it is matt.
     #[must_use]
     pub const fn shininess(&self) -> u8 {

@@ -14,20 +14,19 @@ pub(super) struct Brush<'a> {
     /// what the right half sees. Then a pixel of the left half gets the color that the pixel opposite, in the
     /// right half, would have in the mirrored light. `None` if each half is swept by itself.
     pub mirrored: Option<F32x3>,
-    /// The column of the part's first pixel, and the row.
+    /// The column of the part's first pixel.
     pub x: u32,
-    y: u32,
 }
 
 impl<'a> Brush<'a> {
-    /// The brush for a part that begins in column x of row y, given the sheet's material, its rays and its
+    /// The brush for a part that begins in column x, given the sheet's material, its rays and its
     /// sweep along the part.
     #[inline(always)]
-    pub fn new(finish: Finish, rays: &'a SolidRays<'a>, sweep: &Sweep, (x, y): (u32, u32)) -> Self {
+    pub fn new(finish: Finish, rays: &'a SolidRays<'a>, sweep: &Sweep, x: u32) -> Self {
         let to_light = finish.to_light;
         let mirrored = sweep.mirror();
         let mirrored = mirrored.map(|n| to_light - n * (2.0 * n.dot(to_light) / n.dot(n)));
-        Self { rays, finish, mirrored, x, y }
+        Self { rays, finish, mirrored, x }
     }
 
     /// The direction to the light that the row's right half is seen in.
@@ -59,6 +58,6 @@ impl<'a> Brush<'a> {
     #[inline(always)]
     fn shade<C: Paint>(&self, to: usize, at: usize, seen: &Seen, to_light: &F32x3) -> C {
         let shades = self.finish.shades::<C>(self.column(at), seen, to_light, &self.rays.views);
-        C::shade(shades, self.column(to), self.y)
+        C::shade(shades, self.column(to), self.rays.row.y)
     }
 }

@@ -2,15 +2,33 @@
 
 use super::brush::Brush;
 use super::depth::Depths;
+use crate::camera::Row;
 use crate::color::Paint;
 use crate::lathe::{Seen, Span, Sweep};
 use crate::math::cold_path;
 
-/// A part of a row of pixels, and what colors a solid on it.
+/// A part of a row of pixels, on which solids are painted one after another.
+pub(super) struct Part<'a, 'b, C> {
+    pub row: &'a Row<'a>,
+    /// The column of the first pixel.
+    pub x: u32,
+    /// The pixels, if every one of them that sees a solid shows it. Empty if distances decide which of them
+    /// show it: then `depths` has the pixels.
+    pub run: &'a mut [C],
+    pub depths: Option<&'a mut Depths<'b, C>>,
+}
+
+impl<C> Part<'_, '_, C> {
+    /// Its first column, and the one after its last.
+    pub fn columns(&self) -> (u32, u32) {
+        let len = self.depths.as_ref().map_or(self.run.len(), |depths| depths.run.len());
+        (self.x, self.x + len as u32)
+    }
+}
+
+/// The pixels of a [`Part`], and what colors a sheet of a solid on them.
 pub(super) struct Canvas<'a, 'b, C> {
     pub brush: Brush<'a>,
-    /// The pixels, if every one of them that sees the solid shows it. Empty if distances decide which pixels
-    /// show it: `depths` has the pixels then.
     pub run: &'a mut [C],
     pub depths: Option<&'a mut Depths<'b, C>>,
 }
@@ -18,7 +36,7 @@ pub(super) struct Canvas<'a, 'b, C> {
 impl<C: Paint> Canvas<'_, '_, C> {
     /// Paints the half of the row that is being swept, from the middle outwards. If the other half is its
     /// mirror image, this paints it as well.
-    #[inline(never)]
+    #[inline(always)]
     pub fn half_row(&mut self, sweep: &mut Sweep) {
         let mut i = 0;
         while i < sweep.len() {
@@ -53,6 +71,8 @@ impl<C: Paint> Canvas<'_, '_, C> {
                     *pixel = brush.image_color(image, at, seen, mirrored);
                 }
             } else if let Some(depths) = depths {
+                // The pixels are those of `depths`, and `run` is empty: so where no distances are compared, the
+                // loop does not ask for them.
                 cold_path();
                 depths.both(brush, at, seen.pairs(), s);
             }

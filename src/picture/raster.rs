@@ -1,7 +1,7 @@
 //! A scene as a grid of pixels, by reference: what rows are computed from.
 
 use super::brush::Brush;
-use super::canvas::Canvas;
+use super::canvas::{Canvas, Part};
 use super::depth::{Block, Depths};
 use super::solid_row::SolidRow;
 use crate::camera::Row;
@@ -52,15 +52,16 @@ impl Raster<'_> {
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
         let PaintOrder { block, beyond, .. } = *self.order;
-        self.paint(0..block, &row, x, part, None);
+        let mut part = Part { row: &row, x, run: part, depths: None };
+        self.paint(0..block, &mut part);
         if block < beyond {
             // For a short part fewer distances are kept: a scene that is drawn run by run may have little stack.
-            if part.len() > RUN {
-                self.block::<C, MOST_DEPTHS>(&row, x, part);
+            if part.run.len() > RUN {
+                self.block::<C, MOST_DEPTHS>(&mut part);
             } else {
-                self.block::<C, RUN>(&row, x, part);
+                self.block::<C, RUN>(&mut part);
             }
-            self.paint(beyond..usize::MAX, &row, x, part, None);
+            self.paint(beyond..usize::MAX, &mut part);
         }
     }
 
@@ -68,77 +69,60 @@ impl Raster<'_> {
     /// so that scenes without a block keep no memory for distances on the stack.
     #[cold]
     #[inline(never)]
-    fn block<C: Paint, const N: usize>(&self, row: &Row, x: u32, part: &mut [C]) {
-        for (run, x) in part.chunks_mut(N).zip((x..).step_by(N)) {
-            self.by_depth(row, x, run, &mut [f32::INFINITY; N]);
+    fn block<C: Paint, const N: usize>(&self, part: &mut Part<C>) {
+        for (run, x) in part.run.chunks_mut(N).zip((part.x..).step_by(N)) {
+            self.by_depth(part.row, x, run, &mut [f32::INFINITY; N]);
         }
     }
 
-    /// Paints the solids of the block on a piece of a row. `nearest` has a distance for each pixel, all of them
-    /// infinite.
+    /// Paints the solids of the block on `run`, pixels of a row from column x on. `nearest` is memory for as
+    /// many distances, all of them infinite.
     #[inline(never)]
     fn by_depth<C: Paint>(&self, row: &Row, x: u32, run: &mut [C], nearest: &mut [f32]) {
         let Self { scene: Scene { solids, .. }, order, .. } = *self;
         let mut depths = Depths::new(run, nearest, Block { solids, order });
-        self.paint(order.block..order.beyond, row, x, &mut [], Some(&mut depths));
+        self.paint(order.block..order.beyond, &mut Part { row, x, run: &mut [], depths: Some(&mut depths) });
     }
 
     /// Fills `part`, which begins in column x of row y, with the background.
     #[inline(never)]
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
-        let shades = self.scene.background.row(y, self.height).shades(most_shades::<C>()).rounded();
+        let shades = self.scene.background.row(y, self.height).shades(&most_shades::<C>()).rounded();
         for (pixel, x) in part.iter_mut().zip(x..) {
             *pixel = C::background(shades, x, y);
         }
     }
 
-    /// Paints the solids of some ranks, a body sheet by sheet: without `depths` on all pixels of `run` that
-    /// see them. With `depths` `run` is to be empty; the solids are painted on those pixels of `depths` that
-    /// see them and show them. The first pixel is in column x.
+    /// Paints the solids of some ranks on a part of a row, a body sheet by sheet.
     #[inline(never)]
-    fn paint<C: Paint>(
-        &self,
-        ranks: Range<usize>,
-        row: &Row,
-        x: u32,
-        run: &mut [C],
-        mut depths: Option<&mut Depths<C>>,
-    ) {
+    fn paint<C: Paint>(&self, ranks: Range<usize>, part: &mut Part<C>) {
         for rank in ranks {
             let Some(solid) = self.scene.solids.get(self.order.index(rank)) else { return };
             for sheet in solid.sheets() {
-                self.sheet(solid, sheet, row, x, run, depths.as_deref_mut());
+                self.sheet(solid, sheet, part);
             }
         }
     }
 
-    /// Paints one sheet of a solid, as [`Raster::paint`] does. Not inline: in a loop it keeps more on the stack.
+    /// Paints one sheet of a solid on a part of a row. Not inline: in a loop it keeps more on the stack.
     #[inline(never)]
-    fn sheet<C: Paint>(
-        &self,
-        solid: &Solid,
-        sheet: &Sheet,
-        row: &Row,
-        x: u32,
-        run: &mut [C],
-        mut depths: Option<&mut Depths<C>>,
-    ) {
-        let len = depths.as_ref().map_or(run.len(), |depths| depths.run.len());
-        let columns = (x, x + len as u32);
+    fn sheet<C: Paint>(&self, solid: &Solid, sheet: &Sheet, part: &mut Part<C>) {
         // Not taken apart: that would copy its parts.
-        let mut along = SolidRow::new(solid, sheet, row, columns, depths.is_some());
+        let mut along = SolidRow::new(solid, sheet, part.row, part.columns(), part.depths.is_some());
         if along.sweep.is_culled() {
             return;
         }
-        if let Some(depths) = &mut depths {
+        if let Some(depths) = &mut part.depths {
             depths.begin(&along.sweep);
         }
-        let finish = Finish::new::<C>(solid, sheet.color().unwrap_or(solid.color()), &self.scene.light);
-        let brush = Brush::new(finish, &along.rays, &along.sweep, (x, row.y));
-        let mut canvas = Canvas { brush, run, depths };
-        canvas.half_row(&mut along.sweep);
-        if along.sweep.reverse() {
+        let finish = Finish::new::<C>(solid, solid.color_of(sheet), &self.scene.light);
+        let brush = Brush::new(finish, &along.rays, &along.sweep, part.x);
+        let mut canvas = Canvas { brush, run: part.run, depths: part.depths.as_deref_mut() };
+        loop {
             canvas.half_row(&mut along.sweep);
+            if !along.sweep.reverse() {
+                break;
+            }
         }
     }
 }

@@ -20,13 +20,13 @@ pub(super) struct SolidRow<'a> {
 pub(super) struct SolidRays<'a> {
     pub solid: &'a Solid<'a>,
     pub sheet: &'a Sheet<'a>,
-    row: &'a Row<'a>,
+    pub row: &'a Row<'a>,
     /// Their directions.
     pub views: Views,
 }
 
 impl<'a> SolidRow<'a> {
-    /// Sets up the sweep of a solid's sheet, of the given number, along the columns of a row from `start` to
+    /// Sets up the sweep of a solid's sheet along the columns of a row from `start` to
     /// before `end`. `has_depth` is whether distances are compared with those of other sheets and solids.
     #[inline(never)]
     pub fn new(
@@ -36,7 +36,7 @@ impl<'a> SolidRow<'a> {
         (start, end): (u32, u32),
         has_depth: bool,
     ) -> Self {
-        let Ray { origin, direction, unit } = solid.ray_into(&row.ray(0));
+        let Ray { origin, direction, unit } = ray(solid, row, 0);
         let (step, projection) = row.step();
         let (step, none) = (solid.direction_into(step), vector([0.0; 3]));
         let (origin_step, direction_step) = match projection {
@@ -56,8 +56,8 @@ impl SolidRays<'_> {
     /// of a hit. Returns what the ray sees of the sheet and at which t; `None` if it misses.
     #[inline(never)]
     pub fn cast(&self, sweep: &mut Sweep, i: u32, column: u32) -> Option<(Seen, f32)> {
-        let Self { solid, sheet, row, .. } = *self;
-        let ray = solid.ray_into(&row.ray(column));
+        let Self { solid, sheet, .. } = *self;
+        let ray = ray(solid, self.row, column);
         // By reference: a copy would stay on the stack.
         let hit = &nearest(sheet, &ray);
         let hit = hit.as_ref()?;
@@ -68,9 +68,16 @@ impl SolidRays<'_> {
     /// The t at which a column's ray first meets a sheet of a solid; infinite if it misses.
     #[inline(never)]
     pub fn distance(&self, solid: &Solid, sheet: &Sheet, column: u32) -> f32 {
-        let ray = solid.ray_into(&self.row.ray(column));
+        let ray = ray(solid, self.row, column);
         nearest(sheet, &ray).map_or(f32::INFINITY, |hit| hit.t)
     }
+}
+
+/// The ray of a column of a row in a solid's own space. Not inline: what it computes would stay on the stack
+/// of those that cast it.
+#[inline(never)]
+fn ray(solid: &Solid, row: &Row, column: u32) -> Ray {
+    solid.ray_into(&row.ray(column))
 }
 
 /// The first hit of a sheet by a ray in its solid's own space, or `None`. It is found as [`Solid::nearest`]

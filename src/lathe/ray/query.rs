@@ -8,7 +8,6 @@ use crate::lathe::{Lathe, Segment};
 use crate::math::minmax::greater;
 use crate::ray::Ray;
 use crate::solve::{Newton, Solver};
-use core::ops::ControlFlow;
 use heapless::Vec;
 
 impl<const N: usize> Lathe<[Segment; N]> {
@@ -78,9 +77,9 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
             count += 1;
         };
         nearest.map(&mut next);
-        let _: Option<()> = traverse::<S, _>(self.view(), &local, t_min, |hit| {
+        let _ = traverse::<S>(self.view(), &local, t_min, |hit| {
             next(hit);
-            ControlFlow::Continue(())
+            Some(())
         });
     }
 
@@ -115,7 +114,12 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     #[must_use]
     pub fn nearest_by<S: Solver>(&self, ray: &Ray, t_min: f32) -> Option<Hit> {
         let local = LocalRay::new(&self.frame, ray);
-        traverse::<S, _>(self.view(), &local, t_min, ControlFlow::Break)
+        let mut nearest = None;
+        let _ = traverse::<S>(self.view(), &local, t_min, |hit| {
+            nearest = Some(hit);
+            None
+        });
+        nearest
     }
 
     /// Whether there is any crossing with t > `t_min`, as shadows need it: true exactly where

@@ -9,7 +9,6 @@ use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, UNIT_ROUNDOFF};
 use crate::solve::Solver;
-use core::ops::ControlFlow;
 
 /// An upper bound of the relative error of the t at which a ray is nearest to the axis, and of what
 /// [`Interval::new`] computes from it. Four roundings of 2⁻²⁴ add up: two in q, which is a product and a sum,
@@ -57,8 +56,7 @@ impl Interval {
 }
 
 /// Follows a ray through the slabs of a lathe's segments and calls `meet` with each crossing beyond `t_min`,
-/// a t of the [`Ray`](crate::Ray), in order, until `meet` breaks off. Returns what `meet` broke off with, or
-/// `None` if it never did.
+/// a t of the [`Ray`](crate::Ray), in order, until `meet` returns `None`. Returns `None` at the end.
 ///
 /// The state is on which side of the surface the ray is. On the plane between two segments the radius common
 /// to both decides it. Rounding may put a crossing near the plane beyond the end of the first segment and
@@ -67,35 +65,29 @@ impl Interval {
 /// the two. The plane of an end is such a step, between the radius of the wall and that of the opening, which
 /// is zero at a cap.
 #[inline(always)]
-pub(super) fn traverse<S: Solver, B>(
+pub(super) fn traverse<S: Solver>(
     lathe: View<'_>,
     ray: &LocalRay,
     t_min: f32,
-    mut meet: impl FnMut(Hit) -> ControlFlow<B>,
-) -> Option<B> {
+    mut meet: impl FnMut(Hit) -> Option<()>,
+) -> Option<()> {
     let interval = Interval::new::<S::Math>(lathe.frame, ray, t_min)?;
     let mut traversal = Traversal::enter(lathe, ray, &interval)?;
     // Once a crossing is beyond t_min all that follow are, however their t is rounded.
     let mut since = t_min;
     let mut report = |hit: Hit| {
         if !is_beyond(hit.t, since) {
-            return ControlFlow::Continue(());
+            return Some(());
         }
         since = f32::NEG_INFINITY;
         meet(hit)
     };
     loop {
         let segment = lathe.segments.get(traversal.index);
-        if let Some(hit) = traversal.plane(segment)
-            && let ControlFlow::Break(found) = report(hit)
-        {
-            return Some(found);
+        if let Some(hit) = traversal.plane(segment) {
+            report(hit)?;
         }
-        match traversal.slab::<S, B>(segment?, interval.to, &mut report) {
-            ControlFlow::Continue(true) => {}
-            ControlFlow::Continue(false) => return None,
-            ControlFlow::Break(found) => return Some(found),
-        }
+        traversal.slab::<S>(segment?, interval.to, &mut report)?;
     }
 }
 
@@ -153,15 +145,15 @@ impl<'a> Traversal<'a> {
     }
 
     /// Passes the slab of the segment, as far as `to`, and reports the hits in it. Afterwards the state is
-    /// that at the next plane, if the ray comes to it. Returns whether it does, or what `report` broke off
-    /// with.
+    /// that at the next plane. Returns `None` if the ray comes to no next plane, or if `report` returns
+    /// `None`: then the traversal is at its end.
     #[inline(always)]
-    fn slab<S: Solver, B>(
+    fn slab<S: Solver>(
         &mut self,
         segment: &Segment,
         to: f32,
-        report: &mut impl FnMut(Hit) -> ControlFlow<B>,
-    ) -> ControlFlow<B, bool> {
+        report: &mut impl FnMut(Hit) -> Option<()>,
+    ) -> Option<()> {
         let (ray, up, at) = (self.ray, self.up, self.at);
         let plane = ray.plane(if up { segment.high } else { segment.low });
         let (end, is_to_plane) = (lesser(to, plane), plane <= to);
@@ -171,6 +163,7 @@ impl<'a> Traversal<'a> {
         // comes to the segment. Then rounding has put the crossing out of the solid beyond the plane, and the
         // chord reports it at its beginning.
         if is_near || self.inside {
+            // If the ray comes to no plane, the chord ends on the bounding cylinder, outside of the solid.
             let ends_inside = is_to_plane && segment.end(up) > self.square;
             let chord = Chord::new(ray, segment, self.index, [at, end]);
             let mut crossings = chord.crossings(self.inside, ends_inside);
@@ -179,10 +172,9 @@ impl<'a> Traversal<'a> {
                 report(chord.hit(s, self.inside))?;
             }
         }
-        // If the ray comes to no plane, the chord ends on the bounding cylinder, and the ray stays outside.
         (self.at, self.before) = (end, Some(segment.end(up)));
         self.index = self.index.wrapping_add(if up { 1 } else { usize::MAX });
-        ControlFlow::Continue(is_to_plane)
+        is_to_plane.then_some(())
     }
 }
 

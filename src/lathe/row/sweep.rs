@@ -19,7 +19,7 @@ use crate::vector::F32x3;
 /// Take as unit of the error of s the slope |dg/ds| divided by |g″/2|. Then each step at least squares the
 /// error. An error of 1/4 becomes (2⁻²)¹⁶ = 2⁻³² in four steps, below f32's roundoff. A root that takes
 /// longer lies beside a double root, in the *undecided band*.
-pub(super) const STEPS: u32 = 4;
+pub(super) const STEPS: u8 = 4;
 
 /// Neighbouring pixels that are alike. The i-th pixel is the first of each; `to` is the one after the last.
 pub(crate) enum Span {
@@ -94,7 +94,7 @@ pub(super) struct TrackedRoot<'a> {
     pub end: Option<TrackEnd>,
     /// One more than how often the segment, the root or its certificate may still be changed until Newton's
     /// method has found the root of a pixel: with the change after that, tracking ends.
-    pub tries: u32,
+    pub tries: u8,
     /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
     /// there is none.
     pub probed: u32,

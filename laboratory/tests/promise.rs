@@ -253,3 +253,48 @@ fn parts_beside_a_tip() {
     }
     assert!(walls > 500 && caps > 500, "{walls} walls, {caps} caps");
 }
+
+/// Rays that leave needles by the wall of a short tip, a quarter of a unit from its rim: they end at the wall, and not at the cap
+/// whose plane they reach almost at the same place.
+#[test]
+fn the_wall_of_a_tip_is_no_cap() {
+    let needles = [
+        (
+            [0.0, 1063.2888, 1063.3036],
+            [1.0, 1.0, 1.0, 1.0, 0.34277964, 0.009513234, 0.0002007737],
+            [0x3deab55f, 0xbee7d8b6, 0x446730f0],
+            [0xbe4df11f, 0x3f53297d, 0x437323a5],
+        ),
+        (
+            [0.0, 32.662964, 32.67544],
+            [1.0, 1.0, 1.0, 1.0, 0.40721262, 0.077972874, 0.012280828],
+            [0xbe7055cd, 0x3e7d903a, 0x41ea5e11],
+            [0x3e561c9f, 0xbee98241, 0x40af2036],
+        ),
+        // Its tip down.
+        (
+            [0.0, 0.020664215, 33.378613],
+            [9.217412e-7, 0.0006403563, 0.33397338, 1.0, 1.0, 1.0, 1.0],
+            [0x3e9740e8, 0xbc1226b0, 0x3f60192d],
+            [0xbf2ff463, 0x3cbdd36f, 0xc00258bb],
+        ),
+    ];
+    for (knots, ordinates, origin, direction) in needles {
+        let outline = Outline {
+            name: "needle",
+            knots: knots.to_vec(),
+            ordinates: ordinates.to_vec(),
+            k: 1.0,
+            base_closed: true,
+            top_closed: true,
+        };
+        let cast = Cast { origin: origin.map(f), direction: direction.map(f), t_min: 0.0 };
+        let case = Case { outline: &outline, family: Family::Rims, seed: 0, index: 0, cast };
+        let bands = oracle::bands(&outline.shape(), &case.ray(), case.eps(0.25));
+        let ray = Ray::new(cast.origin, cast.direction).expect("a finite ray");
+        let hit = lathe(&outline).nearest(&ray, 0.0);
+        let first = bands.sure.first().expect("a crossing, whoever looks");
+        assert_eq!(first.part, oracle::Part::Wall, "{case}");
+        assert!(hit.is_some_and(|hit| is_in(&hit, first)), "{hit:?} is not {first:?} by\n{case}");
+    }
+}

@@ -42,7 +42,7 @@ use crate::hit::{Hit, Part};
 use crate::math::const_fn;
 use crate::profile::Profile;
 use crate::ray::Ray;
-use crate::vector::{F32x3, dot_xy, finite_to_one, vector};
+use crate::vector::{F32x3, dot_xy, to_one, vector};
 use frame::{Bounds, EndPlane, Frame, View};
 use segment::{greater_or_nan, power_of_two_for, widened};
 
@@ -240,9 +240,9 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// in [1, 4). On the wall it lies along half of the gradient, `(k·x, y, −f′(u)/2h)`; on a cap or a ring,
     /// and where the gradient is zero, along the axis.
     ///
-    /// All lengths in it are multiplied by the frame's scale, and x is not scaled by √k. A ray that has a hit
-    /// has a finite origin after that scaling, and a finite distance to the hit. So half of the gradient is
-    /// finite, and [`finite_to_one`] returns `None` only where it is zero or subnormal.
+    /// All lengths in it are multiplied by the frame's scale, and x is not scaled by √k. That overflows far
+    /// out along a sheet, and for a direction so long that its unit does: then, too, the vector lies along the
+    /// axis.
     pub(crate) fn gradient(&self, ray: &Ray, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
         if hit.part == Part::Wall
@@ -253,7 +253,7 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
             let (across, along) = segment.weights();
             let slope = segment.at(hit.u).1;
             let gradient = vector([frame.squash * p.x * across, p.y * across, -0.5 * slope * along]);
-            if let Some((gradient, _)) = finite_to_one(gradient) {
+            if let Some((gradient, _)) = to_one(gradient) {
                 return gradient;
             }
         }

@@ -85,13 +85,8 @@ pub(crate) const fn largest(v: F32x3) -> f32 {
 /// The largest magnitude of the result is in [1, 2), except where that of `v` is 2¹²⁷ or more: the smallest
 /// normal power, 2⁻¹²⁶, brings it into [2, 4).
 pub(crate) const fn to_one(v: F32x3) -> Option<(F32x3, f32)> {
-    if finite(v) { finite_to_one(v) } else { None }
-}
-
-/// What [`to_one`] returns for a vector whose components are all finite.
-pub(crate) const fn finite_to_one(v: F32x3) -> Option<(F32x3, f32)> {
     let size = largest(v);
-    if size < f32::MIN_POSITIVE {
+    if !(finite(v) && size >= f32::MIN_POSITIVE) {
         return None;
     }
     let exponent = size.to_bits() >> 23;

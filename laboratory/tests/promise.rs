@@ -60,12 +60,13 @@ fn off(shape: &Shape, case: &Case, hit: &Hit) -> f64 {
     if along <= PROMISE { along } else { along.min(distance(shape, &ray, t, 64.0 * unit) / unit) }
 }
 
-/// The distance of the point at t from the wall, if that is below `within`: over the heights about it, to the nearest point
+/// The distance of the point at t from the surface, if that is below `within`: over the heights about it, to the nearest point
 /// at each.
 fn distance(shape: &Shape, ray: &oracle::Ray, t: f64, within: f64) -> f64 {
     let [x, y, z] = [0, 1, 2].map(|i| ray.origin[i] + t * ray.direction[i]);
     let rho = (shape.k * x * x + y * y).sqrt();
-    let to_level = rho / (shape.k * x).hypot(y);
+    // From the axis of a sheet the way to a radius is along y.
+    let to_level = if rho > 0.0 { rho / (shape.k * x).hypot(y) } else { 1.0 };
     let at = |up: f64| {
         let up = (z + up).clamp(shape.base(), shape.top()) - z;
         let (segment, u) = shape.locate(z + up);
@@ -81,7 +82,18 @@ fn distance(shape: &Shape, ray: &oracle::Ray, t: f64, within: f64) -> f64 {
         let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
         if at(a) < at(b) { high = b } else { low = a }
     }
-    at(0.0).min(at(low))
+    at(0.0).min(at(low)).min(to_ring(shape, z, rho, to_level))
+}
+
+/// The distance from the nearest ring, at a height and a distance from the axis: of a knot that is no step, from its circle.
+fn to_ring(shape: &Shape, z: f64, rho: f64, to_level: f64) -> f64 {
+    let inner_knots = 1..shape.segments();
+    let away = inner_knots.map(|knot| {
+        let [below, above] = shape.radii(knot).map(f64::sqrt);
+        let held = rho.clamp(below.min(above), below.max(above));
+        ((rho - held) * to_level).hypot(z - shape.knots[knot])
+    });
+    away.fold(f64::INFINITY, f64::min)
 }
 
 /// The worst of one kind: decisions, places, each with its case.

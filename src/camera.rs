@@ -79,7 +79,8 @@ impl Camera {
         Self::new([eye, look_at, up], half_width, ORTHOGRAPHIC, Projection::Orthographic)
     }
 
-    /// An orthographic camera with its half-width times `factor`.
+    /// This camera, which must be orthographic, with its half-width times `factor`. [`SceneError::HalfWidth`]
+    /// if that is outside the limits.
     pub(crate) const fn widened(self, factor: f32) -> Result<Self, SceneError> {
         let half_width = factor * const_fn::sqrt(dot(self.right, self.right));
         let [least, most] = ORTHOGRAPHIC;
@@ -168,8 +169,8 @@ impl Camera {
     /// fractions, counted as [`Camera::ray`] counts them, so that the centre of a pixel is at whole numbers.
     /// They may lie outside the picture. Solids that hide the point are not looked at.
     ///
-    /// `None` if the point is behind the camera or in the plane through the eye, if it is not finite, or if
-    /// the picture is 0 pixels wide.
+    /// `None` if the point is behind the camera or in the plane through the eye, if the picture is 0 pixels
+    /// wide, or if the point or one of the two results is not finite.
     ///
     /// ```
     /// use embedded_lathe::{Camera, valid};

@@ -110,8 +110,8 @@ impl<'a> Scene<'a> {
     /// Which solid lies under a pixel of a picture of the given size: the first that the pixel's ray hits.
     /// `None` if it hits none, if the pixel lies outside the picture, or if the picture has no pixels.
     ///
-    /// For a touch screen that shows the picture elsewhere than in its upper left corner there is
-    /// [`Placed::pick`]. It costs a ray against each solid, less than a row of pixels.
+    /// A pick casts one ray at each solid, which costs less than a row of pixels. If the picture is not in
+    /// the upper left corner of a touch screen, use [`Placed::pick`].
     ///
     /// ```
     /// use embedded_graphics::prelude::*;
@@ -193,8 +193,8 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// A [`Picture`] in the colors of a display: an [`ImageDrawable`]. Of one with more than 2³¹ − 1 columns or rows
-/// so many are drawn: those that embedded-graphics can number.
+/// A [`Picture`] in the colors of a display: an [`ImageDrawable`]. If the picture has more than 2³¹ − 1
+/// columns or rows, the first 2³¹ − 1 are drawn: as many as embedded-graphics can number.
 ///
 /// Made by [`Picture::image`], where there is an example.
 #[derive(Clone, Copy, Debug)]

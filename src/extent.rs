@@ -20,7 +20,8 @@ impl Extent {
         self.left >= self.right || self.top >= self.bottom
     }
 
-    /// What of it lies in another; without pixels, but inside the other, if the two do not overlap.
+    /// The part of this rectangle that lies in another. If the two do not overlap, the result has no pixels,
+    /// and its four edges still lie within the other's.
     pub fn cut_to(self, other: Self) -> Self {
         let columns = |i: u32| i.max(other.left).min(other.right);
         let rows = |i: u32| i.max(other.top).min(other.bottom);
@@ -32,7 +33,7 @@ impl Extent {
         }
     }
 
-    /// The smallest rectangle that holds both.
+    /// The smallest rectangle that holds both. Neither may be empty.
     pub fn with(self, other: Self) -> Self {
         Self {
             left: self.left.min(other.left),
@@ -44,36 +45,38 @@ impl Extent {
 }
 
 impl Solid<'_> {
-    /// A rectangle of a picture outside of which no pixel shows the solid; `None` if no pixel shows it.
+    /// A rectangle of a picture outside of which no pixel shows the solid. `None` if it is proven that no
+    /// pixel shows it, or if the picture has no pixels.
     ///
-    /// The rays of a column lie in a plane, and so do those of a row. The first column of the rectangle is the
-    /// one after the last whose plane is proven to have the solid on its right, and so on: found by bisection,
-    /// with some 8 planes for each side of a picture of 240 pixels. If the eye of a perspective camera may
-    /// have a part of the solid beside it or behind, the rectangle is the whole picture.
+    /// The rays of a column of pixels lie in a plane, and so do those of a row. At the left edge, the columns whose
+    /// planes are proven to have all of the solid on their right are left out, and likewise at the other three
+    /// edges. How many they are is found by bisection, with some 8 planes for each edge of a picture of 240
+    /// pixels. If a part of the solid may lie beside the eye of a perspective camera or behind it, the
+    /// rectangle is the whole picture.
     pub(crate) fn extent(&self, camera: &Camera, width: u32, height: u32) -> Option<Extent> {
         if width == 0 || height == 0 {
             return None;
         }
-        let seen = Seen::new(self, camera);
-        let back = cross(seen.right, seen.up);
-        if seen.is_behind(back * -1.0, seen.eye) {
+        let local = LocalCamera::new(self, camera);
+        let back = cross(local.right, local.up);
+        if local.is_behind(back * -1.0, local.eye) {
             return None;
         }
-        if camera.is_perspective() && !seen.is_behind(back, seen.eye) {
+        if camera.is_perspective() && !local.is_behind(back, local.eye) {
             return Some(Extent { left: 0, top: 0, right: width, bottom: height });
         }
-        let Seen { right: x, up: y, .. } = seen;
-        let left = seen.clear(width, width, x, y * -1.0);
-        let right = seen.clear(width, width, x * -1.0, y);
-        let top = seen.clear(height, width, y * -1.0, x * -1.0);
-        let bottom = seen.clear(height, width, y, x);
+        let LocalCamera { right: x, up: y, .. } = local;
+        let left = local.clear(width, width, x, y * -1.0);
+        let right = local.clear(width, width, x * -1.0, y);
+        let top = local.clear(height, width, y * -1.0, x * -1.0);
+        let bottom = local.clear(height, width, y, x);
         let extent = Extent { left, top, right: width - right, bottom: height - bottom };
         (!extent.is_empty()).then_some(extent)
     }
 }
 
-/// A solid, and a camera in the solid's own space.
-struct Seen<'a> {
+/// A solid, and the vectors of a [`Camera`] in the solid's own space.
+struct LocalCamera<'a> {
     solid: &'a Solid<'a>,
     eye: F32x3,
     forward: F32x3,
@@ -84,7 +87,9 @@ struct Seen<'a> {
     rough: f32,
 }
 
-impl<'a> Seen<'a> {
+impl<'a> LocalCamera<'a> {
+    /// The camera, moved to the solid's own space. Only the eye's vector is scaled with the pose: the others
+    /// keep their lengths in the world.
     fn new(solid: &'a Solid<'a>, camera: &Camera) -> Self {
         let is_perspective = camera.is_perspective();
         Self {
@@ -98,15 +103,19 @@ impl<'a> Seen<'a> {
         }
     }
 
-    /// Whether the solid is proven to lie behind a plane: see [`Lathe::is_behind`](crate::Lathe).
+    /// Whether all sheets of the solid are proven to lie behind the plane through `point`, on the side that
+    /// `normal` points away from: see [`Lathe::is_behind`](crate::Lathe).
     fn is_behind(&self, normal: F32x3, point: F32x3) -> bool {
         self.solid.sheets().all(|sheet| sheet.lathe().is_behind(normal, point, self.rough))
     }
 
-    /// How many columns or rows are proven to be clear of the solid, counted from one edge of the picture: the
-    /// largest number whose last line is, found by bisection. `lines` is how many there are. `across` is the
-    /// vector from the middle of the picture away from that edge, a half-width long; `along` is a vector along
-    /// the lines whose product with the direction of the rays points to that edge.
+    /// How many lines of pixels, counted from one edge of the picture, are proven to show no part of the
+    /// solid. The lines are columns or rows; there are `lines` of them. If the n-th line has all of the solid
+    /// on its far side from the edge, so have the lines before it: the largest such n is found by bisection.
+    ///
+    /// `across` is the vector from the middle of the picture away from that edge, a half-width long. `along`
+    /// is a vector along the lines, in the sense in which the cross product of the rays' direction and `along`
+    /// points to the edge.
     #[inline(never)]
     fn clear(&self, lines: u32, width: u32, across: F32x3, along: F32x3) -> u32 {
         let (mut least, mut most) = (0, lines);
@@ -123,9 +132,9 @@ impl<'a> Seen<'a> {
         least
     }
 
-    /// Whether no ray of a column or a row hits the solid, since all of the solid lies on that side of them
-    /// which the product of the rays' direction and `along` points away from. `offset` is the vector from the
-    /// middle of the picture to that line of pixels, `along` a vector along the line.
+    /// Whether all of the solid is proven to lie on the inner side of a line of pixels, so that no ray of the
+    /// line hits it. `offset` is the vector from the middle of the picture to the line, `along` a vector
+    /// along it. The cross product of the rays' direction and `along` points to the outer side.
     fn is_inside_of(&self, offset: F32x3, along: F32x3) -> bool {
         let (direction, point) = if self.is_perspective {
             (self.forward + offset, self.eye)

@@ -55,15 +55,18 @@ impl Camera {
         }
     }
 
-    /// Of a perspective camera, for a picture whose height is `aspect` times its width.
+    /// [`Camera::framing`] of a perspective camera, for a picture whose height is `aspect` times its width.
     ///
-    /// The new eye is E + x·R + y·U + z·F, with F forward, and R and U of the half-width's length h. A point P
-    /// lies left of the picture's right edge if, with v = P − E, `v·R − x·h² ≤ h²·(v·F − z)`, which bounds z
-    /// by x and by the largest `v·(R − h²·F)`; and likewise at the other three edges. The largest z that all
-    /// four allow is taken, with the x and the y at which opposite edges allow the same.
+    /// The new eye is E + x·R + y·U + z·F, where E is the old one, F the unit vector forward, and R and U the
+    /// vectors to the right and up, of the half-width's length h. With v = P − E, a point P lies left of the
+    /// picture's right edge if `v·R − x·h² ≤ h²·(v·F − z)`, that is `h²·z ≤ x·h² − v·(R − h²·F)`. The point
+    /// with the largest v·(R − h²·F) sets the limit for z. The left edge sets another, by −R instead of R and
+    /// −x instead of x. The sum of the two limits does not depend on x, so z is largest where they are equal,
+    /// which gives x. The upper and the lower edge give y and a limit for z in the same way, by
+    /// `v·U − y·h² ≤ aspect·h²·(v·F − z)`. The smaller of the two limits for z is taken.
     const fn framing_near(self, solids: &[Solid], aspect: f32) -> Result<Self, SceneError> {
         let square = dot(self.right, self.right);
-        // h² times the half-width, or the half-height, that may be filled, in half-widths.
+        // The factors of v·F − z, h² and aspect·h², made smaller by the share that stays free.
         let (wide, high) = (square * (1.0 - FREE), square * (1.0 - FREE) * aspect);
         let [right, left] = self.reaches(solids, self.right, scale(self.forward, -wide));
         let [top, bottom] = self.reaches(solids, self.up, scale(self.forward, -high));
@@ -73,26 +76,28 @@ impl Camera {
         self.moved(x, y, ahead)
     }
 
-    /// Of an orthographic camera.
+    /// [`Camera::framing`] of an orthographic camera, for a picture whose height is `aspect` times its width.
     const fn framing_flat(self, solids: &[Solid], aspect: f32) -> Result<Self, SceneError> {
         const NONE: F32x3 = F32x3 { x: 0.0, y: 0.0, z: 0.0 };
         let square = dot(self.right, self.right);
         let [right, left] = self.reaches(solids, self.right, NONE);
         let [top, bottom] = self.reaches(solids, self.up, NONE);
         let [far, near] = self.reaches(solids, self.forward, NONE);
-        // In half-widths of the camera as it is.
+        // The half-widths that the solids' width and their height ask for, in units of the present
+        // half-width.
         let (wide, high) = (0.5 * (right + left) / square, 0.5 * (top + bottom) / (square * aspect));
         let half = (if wide > high { wide } else { high }) / (1.0 - FREE);
         let [x, y] = [0.5 * (right - left) / square, 0.5 * (top - bottom) / square];
-        // The nearest point is as far before the plane of the eye as the solids are deep.
+        // The eye's plane lies before the nearest point, at a distance that is the depth of all solids
+        // together.
         match self.moved(x, y, -near - (far + near)) {
             Ok(moved) => moved.widened(half),
             Err(error) => Err(error),
         }
     }
 
-    /// How far the solids reach from the eye in the directions `along + bias` and `−along + bias`: the largest
-    /// products with the vectors to their points.
+    /// The largest dot product of `along + bias` with the vectors from the eye to the points of the solids,
+    /// and that of `−along + bias`. Each solid counts as the cylinder around it.
     const fn reaches(&self, solids: &[Solid], along: F32x3, bias: F32x3) -> [f32; 2] {
         let directions = [sum(along, bias), difference(bias, along)];
         let (mut reaches, mut i) = ([f32::NEG_INFINITY; 2], 0);
@@ -111,7 +116,8 @@ impl Camera {
         reaches
     }
 
-    /// With its eye moved by x to the right and y upwards, in half-widths, and by z forward.
+    /// This camera with its eye moved by x to the right and y upwards, in half-widths, and by z forward.
+    /// [`SceneError::Position`] if a coordinate of the new eye is infinite or NaN.
     const fn moved(self, x: f32, y: f32, z: f32) -> Result<Self, SceneError> {
         let across = sum(scale(self.right, x), scale(self.up, y));
         let eye = sum(self.eye, sum(across, scale(self.forward, z)));

@@ -15,10 +15,12 @@ use crate::vector::{F32x3, difference, dot, scale};
 /// of roundoff, the support function by four.
 const MARGIN: f32 = 1.0 + 8.0 * UNIT_ROUNDOFF;
 
-/// For a plane with normal n to be taken, `between·n` must exceed the sum of both support functions by this
-/// times the square of the sum of both radii; `between` is the vector between the solids' centers. If n is
-/// shorter than 10⁻¹⁹, its square underflows, and with it the support functions; but then `between·n` is at
-/// most 10⁻¹⁹ times the distance between the centers, so that such an n is never taken for a separating one.
+/// Keeps normals that are nearly zero from being taken. In the first comparison, this times the square of the
+/// sum of both radii is added to the support functions that `between·n` must exceed, where `between` is the
+/// vector between the solids' centers and n the plane's normal.
+///
+/// If n is shorter than 10⁻¹⁹, its square underflows, and with it the support functions. Then `between·n` is
+/// at most 10⁻¹⁹ times the distance between the centers, too little to exceed this.
 const LEAST: f32 = 1e-12;
 
 /// The distance at which the eye is taken to be if the rays are parallel, in units of the sum of both radii.
@@ -95,7 +97,8 @@ impl PaintOrder {
     }
 
     /// Sorts the ranks from `from` to before `to`, by insertion: the farthest solid first, and of two at the
-    /// same distance the one with the lower index. If `solids` is empty, the order is that of the indices.
+    /// same distance the one with the lower index. An empty `solids` has no distances: then the ranks are
+    /// sorted by index alone.
     const fn sort(&mut self, solids: &[Solid], camera: &Camera, from: usize, to: usize) {
         let mut next = from + 1;
         while next < to {
@@ -111,7 +114,8 @@ impl PaintOrder {
         }
     }
 
-    /// Whether the solid of a rank is to be painted before the one ranked before it.
+    /// Whether the solid of a rank is to be painted before the one ranked before it, by the rule of
+    /// [`PaintOrder::sort`].
     #[inline(never)]
     const fn is_before(&self, solids: &[Solid], camera: &Camera, rank: usize) -> bool {
         let (index, other) = (self.index(rank), self.index(rank - 1));

@@ -40,9 +40,9 @@ impl Pose {
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if a coordinate is infinite or NaN, if the rotation was made from an angle outside −10
-    /// 000 to 10 000 or NaN, or if the scale is outside 10⁻³⁰ to 10³⁰. (Within these limits the inverse of
-    /// the scale is a normal number, too.)
+    /// [`SceneError`] if a coordinate is infinite or NaN, if the rotation was made from an angle that is NaN
+    /// or outside −10 000 to 10 000, or if the scale is outside 10⁻³⁰ to 10³⁰. (Within these limits the
+    /// inverse of the scale is a normal number, too.)
     pub const fn new(position: [f32; 3], rotation: Rotation, scale: f32) -> Result<Self, SceneError> {
         if !finite(vector(position)) {
             return Err(SceneError::Position { position });
@@ -90,7 +90,8 @@ impl Pose {
     ///
     /// Those of [`Pose::new`], for the position where the origin is turned to and for the rotation.
     pub const fn about(pivot: [f32; 3], rotation: Rotation) -> Result<Self, SceneError> {
-        // The culprit is named: not the position, which either of the two makes NaN.
+        // An infinite or NaN pivot, or a rotation with NaN, makes the position below NaN. This check returns
+        // the error that names the one at fault.
         if let Err(error) = Self::new(pivot, rotation, 1.0) {
             return Err(error);
         }
@@ -121,14 +122,12 @@ impl Pose {
     ///
     /// # Errors
     ///
-    /// Those of [`Pose::new`], for the position and the scale of the result: if the position divided by the
-    /// scale is beyond f32's range.
+    /// [`SceneError::Position`] if the position divided by the scale is beyond f32's range.
     pub const fn inverse(self) -> Result<Self, SceneError> {
         let back = scale(self.rotation.back(self.position), -1.0);
         let per_scale = 1.0 / self.scale;
-        // The limits of the scale are each other's inverse, except for rounding.
-        let within = if per_scale > 1e30 { 1e30 } else { per_scale };
-        Self::new(array(scale(back, per_scale)), self.rotation.inverse(), within)
+        // The scale is never out of range: its limits, as f32 numbers, are exactly each other's rounded inverse.
+        Self::new(array(scale(back, per_scale)), self.rotation.inverse(), per_scale)
     }
 
     /// The point of the world where the solid has a point of its own space. A coordinate beyond f32's range

@@ -25,8 +25,9 @@ use heapless::Vec;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid<'a> {
+    /// The lathe of a solid that is no body, as an outer sheet; the first sheet of a body.
     first: Sheet<'a>,
-    /// The other sheets of a body.
+    /// The other sheets of a body; empty if the solid is no body.
     rest: &'a [Sheet<'a>],
     pose: Pose,
     color: Rgb,
@@ -44,8 +45,8 @@ impl<'a> Solid<'a> {
     ///
     /// A closed outline that goes up and comes down again, or turns back in height, is cut where it turns. A
     /// sheet whose material is inside of it is an outer one, a sheet whose material is outside an inner one.
-    /// Where two of them meet in a rim, the flat ring between them, if there is one, belongs to either: as a
-    /// step at its end.
+    /// Two sheets may meet in a rim that is a flat ring. Then one of the two profiles, either of them, has
+    /// that ring as a step at its end.
     ///
     /// ```
     /// use embedded_lathe::*;
@@ -73,14 +74,16 @@ impl<'a> Solid<'a> {
     /// # Inside
     ///
     /// A point is inside the body if more outer sheets than inner ones hold it; a sheet holds what is between
-    /// its ends and within its wall. A closed outline makes that one or none. Crossings are those of the
-    /// sheets, and [`Hit::enters`] says whether the ray enters the material. Of sheets that leave gaps, or
-    /// overlap, all crossings are reported all the same.
+    /// its ends and within its wall. If the outline is closed, the number of outer sheets that hold a point
+    /// exceeds that of inner ones by one or by zero. The crossings of the body are those of its sheets, and
+    /// [`Hit::enters`] says whether the ray enters the material. If sheets leave gaps or overlap, all their
+    /// crossings are still reported.
     ///
     /// No ray slips between two sheets that meet at a height, with a squared radius that is the same number
-    /// in both profiles. For that they are prepared about one height, the first by [`Lathe::turn`], the
-    /// others by [`Lathe::turn_beside`] the first, and all of them are traversed: a hit that the fast path
-    /// finds may be one that grazes a rim, and by the traversal passes it.
+    /// in both profiles. For this, all sheets are prepared about one height: the first by [`Lathe::turn`],
+    /// the others by [`Lathe::turn_beside`] the first. And rays are cast at a body by the traversal alone,
+    /// since the two ways to cast a ray may differ where it grazes a rim: the fast path may find a hit there,
+    /// and the traversal none.
     ///
     /// # Errors
     ///
@@ -230,7 +233,9 @@ impl<'a> Solid<'a> {
         self.located(hit).0
     }
 
-    /// The number of the sheet that was hit, the sheet, and the hit as one of that sheet's lathe.
+    /// The number of the sheet that was hit, the sheet, and the hit as one of that sheet's lathe: its segment
+    /// counted from that lathe's first, and `enters` reversed if the sheet is an inner one. A segment beyond
+    /// the body's last counts as one of the last sheet.
     fn located(&self, hit: &Hit) -> (usize, &Sheet<'a>, Hit) {
         let (mut number, mut sheet, mut segment) = (0, &self.first, hit.segment);
         for next in self.rest {
@@ -251,11 +256,11 @@ impl<'a> Solid<'a> {
     }
 
     /// A ray of the world that goes on from a hit of this solid, as [`Lathe::spawn`]. The offset is
-    /// `16·2⁻²⁴·(4·R + distance + |origin| + |point|)`, all measured in the world. R is the radius of the
-    /// smallest ball around the solid, and `|origin|` and `|point|` are the sums |x| + |y| + |z| of the
-    /// coordinates of the ray's origin and of the hit. `distance` is the same sum for the vector from the
-    /// pose's position to the ray's origin, plus the distance of the position from the middle of the solid's
-    /// axis.
+    /// `16·2⁻²⁴·(4·R + distance + |origin| + |point|)`, all measured in the world. R is the radius of a ball
+    /// about the middle of the axis that contains the solid; if the solid is stretched along x, the solid
+    /// without that stretch. `|origin|` and `|point|` are the sums |x| + |y| + |z| of the coordinates of the
+    /// ray's origin and of the hit. `distance` is the same sum for the vector from the pose's position to the
+    /// ray's origin, plus the distance of the position from the middle of the axis.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Pose, Profile, Ray, Rgb, Rotation, Segment, Solid, valid};
@@ -338,7 +343,8 @@ impl<'a> Solid<'a> {
     }
 }
 
-/// Puts a hit where it belongs among others in order; if there is no room for all, the farthest is left out.
+/// Inserts a hit into a list in order of t, after those of the same t. If the list is full, the farthest of
+/// all is left out: that may be `hit` itself.
 fn insert<const C: usize>(hits: &mut Vec<Hit, C>, mut hit: Hit) {
     let mut is_behind = false;
     for other in hits.iter_mut() {

@@ -76,7 +76,8 @@ impl Picture<'_> {
         self.rectangle(core::slice::from_ref(solid))
     }
 
-    /// A rectangle that holds every pixel that shows one of the solids.
+    /// A rectangle that holds every pixel of the picture whose ray hits one of the solids; its size is zero
+    /// if there is no such pixel.
     fn rectangle(&self, solids: &[Solid]) -> Rectangle {
         let (width, height) = (self.width(), self.height());
         let extents = solids.iter().filter_map(|solid| solid.extent(&self.scene().camera, width, height));
@@ -85,13 +86,15 @@ impl Picture<'_> {
         };
         match (i32::try_from(left), i32::try_from(top)) {
             (Ok(x), Ok(y)) => Rectangle::new(Point::new(x, y), Size::new(right - left, bottom - top)),
-            // Beyond the coordinates of embedded-graphics: the whole picture begins at zero.
+            // The solids begin at a pixel that the `i32` coordinates of embedded-graphics cannot number. The
+            // whole picture, whose first pixel is at zero, holds them too.
             _ => Rectangle::new(Point::zero(), Size::new(width, height)),
         }
     }
 }
 
-/// Which rectangle each frame must draw again: that of what it shows and of what the frame before it showed.
+/// Finds the rectangle that each frame must draw again: the one that holds what this frame shows and what the
+/// frame before it showed.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
@@ -121,12 +124,13 @@ impl Picture<'_> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Redraw {
+    /// What the last frame covered; before the first frame, what that frame draws in any case.
     last: Rectangle,
 }
 
 impl Redraw {
-    /// Before the first frame: `shown` is what it has to draw in any case. That is all of the picture if the
-    /// display does not yet show its background.
+    /// The state before the first frame. The first frame draws at least the rectangle `shown`. Give the whole
+    /// picture if the display does not show its background yet.
     #[must_use]
     pub const fn new(shown: Rectangle) -> Self {
         Self { last: shown }
@@ -141,7 +145,7 @@ impl Redraw {
     }
 }
 
-/// The smallest rectangle that holds two; one without pixels does not count.
+/// The smallest rectangle that holds two. If one of them has no pixels, it is the other.
 fn envelope(one: Rectangle, other: Rectangle) -> Rectangle {
     let is_empty = |area: &Rectangle| area.size.width == 0 || area.size.height == 0;
     if is_empty(&one) {

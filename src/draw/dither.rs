@@ -1,8 +1,10 @@
+//! Ordered dithering, for displays with few shades.
+
 use crate::color::Shades;
 
 /// The threshold of column x, row y, from 0 to 63: an entry of Bayer's 8×8 matrix (Bayer 1973). Its six bits,
-/// from the highest to the lowest, are bit 0 of x ⊕ y, bit 0 of y, bit 1 of x ⊕ y, bit 1 of y, bit
-/// 2 of x ⊕ y, bit 2 of y.
+/// from the highest to the lowest, are bit 0 of x ⊕ y, bit 0 of y, bit 1 of x ⊕ y, bit 1 of y, bit 2 of
+/// x ⊕ y, bit 2 of y.
 ///
 /// In any 8×8 pixels each of the 64 thresholds occurs once, and the pixels whose threshold is below a limit
 /// are spread evenly, for every limit.

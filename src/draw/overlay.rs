@@ -53,7 +53,7 @@ impl<C: Paint + PixelColor> Overlay<'_, C> {
     ///
     /// # Errors
     ///
-    /// The target's own. After one no pixel is drawn.
+    /// The target's own. The first one ends the drawing: no further pixel is drawn.
     pub fn draw_by_rows<D>(&self, target: &mut D, row: &mut [Option<C>]) -> Result<(), D::Error>
     where
         D: DrawTarget<Color = C>,
@@ -61,7 +61,8 @@ impl<C: Paint + PixelColor> Overlay<'_, C> {
         if row.is_empty() { self.draw(target) } else { self.draw_through(target, row) }
     }
 
-    /// Draws, and computes as many pixels at once as fit into `room`, which must not be empty.
+    /// Draws the part that lies within the target, row by row, and computes as many pixels at once as fit
+    /// into `room`. If `room` is empty, no pixel is drawn.
     fn draw_through<D>(&self, target: &mut D, room: &mut [Option<C>]) -> Result<(), D::Error>
     where
         D: DrawTarget<Color = C>,
@@ -80,7 +81,8 @@ impl<C: Paint + PixelColor> Overlay<'_, C> {
         Ok(())
     }
 
-    /// Draws those pixels of a row from column x on that are not `None`: neighbours in one call.
+    /// Draws `run`, the pixels of row y from column x on, except those that are `None`. Each group of
+    /// neighbours is drawn in one call.
     fn draw_run<D>(&self, target: &mut D, (x, y): (u32, u32), run: &[Option<C>]) -> Result<(), D::Error>
     where
         D: DrawTarget<Color = C>,

@@ -51,9 +51,9 @@ impl<'a> Picture<'a> {
 /// a band of a display, or for the rectangle that has changed. What lies outside the target is not computed,
 /// however large the picture is; of a target with 2³² pixels or more no pixel is drawn.
 ///
-/// For code that is generic over embedded-graphics' `Transform`, which is not part of embedded-graphics-core,
-/// an `Image` of [`Picture::image`] implements it; the methods [`Placed::translate`] and
-/// [`Placed::translate_mut`] are the same two.
+/// [`Placed::translate`] and [`Placed::translate_mut`] do what the two methods of embedded-graphics'
+/// `Transform` do. That trait is not part of embedded-graphics-core, so `Placed` does not implement it. For
+/// code that is generic over `Transform`, use an `Image` of [`Picture::image`], which does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Placed<'a, C> {
@@ -131,7 +131,7 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
     #[must_use]
     pub fn covered(&self) -> Rectangle {
         let Rectangle { top_left: Point { x, y }, size } = self.picture.covered();
-        // Within the picture, so neither is negative.
+        // The rectangle lies within the picture, so x and y are not negative.
         let (left, top) = (x as u32, y as u32);
         let covered = Extent { left, top, right: left + size.width, bottom: top + size.height };
         self.on_display(covered.cut_to(self.part))
@@ -215,7 +215,8 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
         self.fill(target, self.within(&target.bounding_box()), run)
     }
 
-    /// Draws a part of the picture in one call, or makes none if the part has no pixels.
+    /// Draws a part of the picture in one call, and computes as many pixels at once as fit into `run`. Makes
+    /// no call if the part has no pixels, or 2³² and more, or if `run` is empty.
     fn fill<D>(&self, target: &mut D, part: Extent, run: &mut [C]) -> Result<(), D::Error>
     where
         D: DrawTarget<Color = C>,
@@ -230,7 +231,7 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
         }
     }
 
-    /// The columns and rows that are drawn and that lie in a rectangle of the display.
+    /// The columns and rows of the picture that are drawn and that lie in a rectangle of the display.
     pub(super) fn within(&self, area: &Rectangle) -> Extent {
         let Extent { left, top, right, bottom } = self.part;
         let Rectangle { top_left: Point { x, y }, size: Size { width, height } } = *area;
@@ -239,8 +240,8 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
         Extent { left, top, right, bottom }
     }
 
-    /// The rectangle of the display where columns and rows of the picture are. Of one that ends beyond the
-    /// range of an `i32` what is within that range, so that embedded-graphics can compute with it.
+    /// The rectangle of the display where `part`, columns and rows of the picture, is drawn. It is cut at the
+    /// largest `i32`, so that embedded-graphics can compute with it.
     pub(super) fn on_display(&self, part: Extent) -> Rectangle {
         let (x, width) = placed(part.left, part.right, self.position.x);
         let (y, height) = placed(part.top, part.bottom, self.position.y);
@@ -248,16 +249,17 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
     }
 }
 
-/// Of the columns (or rows) from `first` to before `end`, those that lie within `len` pixels of the display from
-/// `start` on, if column 0 is at `position`.
+/// Cuts the columns (or rows) from `first` to before `end` to those that are drawn on the `len` pixels of the
+/// display from `start` on, if column 0 is at `position`. Returns their first and the one after their last;
+/// the two are equal if there are none.
 fn cut(start: i32, len: u32, position: i32, first: u32, end: u32) -> (u32, u32) {
     let from = i64::from(start) - i64::from(position);
     let within = |i: i64| i.max(i64::from(first)).min(i64::from(end)) as u32;
     (within(from), within(from + i64::from(len)))
 }
 
-/// Where the columns (or rows) from `first` to before `end` begin on the display, if column 0 is at `position`,
-/// and how many of them end within the range of an `i32`.
+/// Where the columns (or rows) from `first` to before `end` begin on the display, if column 0 is at
+/// `position`, and how many of them lie below the largest `i32`.
 fn placed(first: u32, end: u32, position: i32) -> (i32, u32) {
     let most = i64::from(i32::MAX);
     let start = (i64::from(position) + i64::from(first)).min(most);

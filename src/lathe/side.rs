@@ -1,4 +1,5 @@
-//! On which side of a plane a lathe lies. So a picture knows which of its rows and columns cannot show it.
+//! On which side of a plane a lathe lies: with this, the rows and columns of a picture that cannot show it
+//! are found.
 
 use super::Lathe;
 use super::frame::{EndPlane, View};
@@ -28,10 +29,10 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// points away from, so that no ray in that plane that starts at `point` hits it. `rough` is a length by
     /// which the point itself may be wrong, in units of 2⁻²⁴. All is in object space.
     ///
-    /// At a height the surface is an ellipse, with squared half-axes f/k and f. It reaches `a·√f` in the
-    /// direction of the normal n, with a² = nx²/k + ny². The plane is at w = n·point − nz·z there, which is
-    /// linear in z. So the surface is behind the plane where w > 0 and g = w² − a²·f > 0: in each segment a
-    /// cubic in u.
+    /// At the height z the surface is an ellipse with the squared half-axes f/k and f. The product nx·x +
+    /// ny·y with the normal n is at most `a·√f` on it, with a² = nx²/k + ny². The plane meets that height
+    /// where the same product is w = n·point − nz·z, which is linear in z. So the surface is behind the plane
+    /// where w > 0 and w² − a²·f > 0: in each segment a cubic in u, and one number at each of the two ends.
     ///
     /// False if a number overflows or is NaN, and always for an endless sheet (k = 0).
     #[inline(never)]
@@ -64,7 +65,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     }
 }
 
-/// Whether `w² > a²·f` all along a segment, given w at its two ends, and a².
+/// Whether w > 0 and `w² > a²·f` are proven all along a segment. `low` and `high` are w at its lower and its
+/// upper knot, and `across` is a²: see [`Lathe::is_behind`].
 fn is_segment_behind(segment: &Segment, low: f32, high: f32, across: f32) -> bool {
     let (first, mixed, last) = (low * low, low * high, high * high);
     let squares = [first, (first + 2.0 * mixed) / 3.0, (2.0 * mixed + last) / 3.0, last];

@@ -29,7 +29,7 @@ impl<'a> Brush<'a> {
         Self { rays, finish, mirrored, x }
     }
 
-    /// The direction to the light that the row's right half is seen in.
+    /// The direction to the light, in the solid's own space, not mirrored: [`Finish::to_light`].
     #[inline(always)]
     pub fn to_light(&self) -> &F32x3 {
         &self.finish.to_light
@@ -48,7 +48,8 @@ impl<'a> Brush<'a> {
     }
 
     /// The color of the pixel `image`, which sees the mirror image of `seen`, what the pixel `at` sees.
-    /// `mirrored` is that of the brush; without one the result is of no use.
+    /// `mirrored` is the brush's [`mirrored`](Brush::mirrored) direction; a brush without one has no mirror
+    /// images, and the result is of no use.
     #[inline(always)]
     pub fn image_color<C: Paint>(&self, image: usize, at: usize, seen: &Seen, mirrored: &F32x3) -> C {
         self.shade(image, at, seen, mirrored)

@@ -115,8 +115,9 @@ impl<C: Paint> Canvas<'_, '_, C> {
         }
     }
 
-    /// Paints the pixel of a column, whose ray sees the solid at `distance`, unless what was painted before
-    /// hides the solid there. The light is that of the scene, for pixels of either half.
+    /// Paints the pixel of a column, unless what was painted before hides the solid there. The pixel's ray
+    /// sees the solid at `distance`, which only matters if there are `depths`. The light is not mirrored:
+    /// `seen` is what this pixel sees, in whichever half of the row it lies.
     #[inline(never)]
     fn put(&mut self, column: u32, seen: &Seen, distance: f32) {
         let Self { brush, run, depths } = self;

@@ -48,9 +48,9 @@ impl<'a, C: Paint> Depths<'a, C> {
         self.scale = sweep.scale();
     }
 
-    /// Paints the pixel `at`, and its mirror image if there is one, unless what was painted before hides the
-    /// solid there. `seen` gives, as [`Seen::pairs`], what the pixel sees at a root that the sweep has found
-    /// at s.
+    /// Paints the pixel `at`, and its mirror image if there is one, each unless what was painted before hides
+    /// the solid there. The sweep has found a root of the pixel's ray at s. `seen` is what the pixel sees
+    /// there: the four numbers of a [`Seen`], as [`Seen::pairs`] returns them.
     #[inline(never)]
     pub fn both(&mut self, brush: &Brush, at: usize, seen: [(f32, f32); 2], s: f32) {
         let (seen, distance) = (&Seen::of_pairs(seen), self.scale.distance(s));
@@ -67,7 +67,7 @@ impl<'a, C: Paint> Depths<'a, C> {
 
     /// Returns the pixel `at` if it shows the sheet that is being painted, of which its ray sees a point at
     /// `distance`; then the sheet counts as the nearest at this pixel from here on. Returns `None` if what
-    /// was painted before hides that point.
+    /// was painted before hides that point, or if there is no pixel `at`.
     // In a build for speed the compiler inlines it. In a build for size it is one function for all callers.
     #[inline]
     pub fn shown(&mut self, brush: &Brush, at: usize, distance: f32) -> Option<&mut C> {
@@ -82,7 +82,8 @@ impl<'a, C: Paint> Depths<'a, C> {
         } else {
             cold_path();
             let (before, t) = block.compare(brush.rays, brush.column(at), *nearest, distance);
-            // If another sheet comes as near at this pixel, no rays are cast again at those before it.
+            // The minus sign marks the distance as a single ray's: if a further sheet comes as near at this
+            // pixel, `compare` takes it as it is, and casts no rays at the sheets painted so far.
             *nearest = -lesser(before, t);
             if !(t < before) {
                 return None;
@@ -93,10 +94,12 @@ impl<'a, C: Paint> Depths<'a, C> {
 }
 
 impl Block<'_> {
-    /// The distances that single rays of a column find, where those known are too close for their errors:
-    /// that of the nearest sheet painted before, and that of the sheet that `rays` are cast at. `nearest` and
-    /// `distance` are what is known of the two. If the result has two equal distances, the pixel shows what
-    /// was painted before, which is the first in the slice.
+    /// Two distances as single rays of a column find them, where the known ones are closer together than
+    /// their errors: that of the nearest sheet painted before, and that of the sheet that `rays` are cast at.
+    /// `nearest` and `distance` are the known ones. One that is negative is a single ray's already, and is
+    /// returned without its sign. Otherwise rays are cast anew: for the first distance, one at each sheet of
+    /// the block that was painted before. If the two results are equal, the pixel shows what was painted
+    /// before, which is the first in the slice.
     #[cold]
     #[inline(never)]
     fn compare(&self, rays: &SolidRays, column: u32, nearest: f32, distance: f32) -> (f32, f32) {

@@ -26,8 +26,8 @@ pub(super) struct SolidRays<'a> {
 }
 
 impl<'a> SolidRow<'a> {
-    /// Sets up the sweep of a solid's sheet along the columns of a row from `start` to
-    /// before `end`. `has_depth` is whether distances are compared with those of other sheets and solids.
+    /// Sets up the sweep of a solid's sheet along the columns of a row from `start` to before `end`.
+    /// `has_depth` is whether distances are compared with those of other sheets and solids.
     #[inline(never)]
     pub fn new(
         solid: &'a Solid<'a>,
@@ -80,8 +80,8 @@ fn ray(solid: &Solid, row: &Row, column: u32) -> Ray {
     solid.ray_into(&row.ray(column))
 }
 
-/// The first hit of a sheet by a ray in its solid's own space, or `None`. It is found as [`Solid::nearest`]
-/// finds it: where the sweep is undecided, a picture shows what that function says.
+/// The first hit of a sheet by a ray in its solid's own space, or `None` if it misses. The ray's traversal
+/// finds it: so does [`Solid::nearest`] for a body, and for a ray that the fast path leaves undecided.
 #[inline(never)]
 fn nearest(sheet: &Sheet, ray: &Ray) -> Option<Hit> {
     sheet.lathe().nearest_by::<Newton>(ray, 0.0)

@@ -142,8 +142,8 @@ impl Rotation {
     ///
     /// # Errors
     ///
-    /// [`SceneError::RotationRows`] with the first two rows whose product differs by more, or is NaN;
-    /// [`SceneError::RotationMirrors`] if the determinant is negative.
+    /// [`SceneError::RotationRows`] with the first two rows whose product differs by more than 0.1, or is
+    /// NaN; [`SceneError::RotationMirrors`] if the determinant is negative.
     pub const fn from_rows(rows: [[f32; 3]; 3]) -> Result<Self, SceneError> {
         let [a, b, c] = rows;
         let mut m = [vector(a), vector(b), vector(c)];
@@ -178,8 +178,9 @@ impl Rotation {
         Ok(Self { rows: m })
     }
 
-    /// The matrix, by rows: `[row 0, row 1, row 2]`. A row is the world's axis, as seen in the solid's own
-    /// space; a column is the solid's, as seen in the world.
+    /// The matrix, by rows: `[row 0, row 1, row 2]`. Row 0 is the world's x axis in the coordinates of the
+    /// solid's own space, row 1 its y axis, row 2 its z axis. Column 0 is the solid's own x axis in the
+    /// coordinates of the world, column 1 its y axis, column 2 its z axis.
     #[must_use]
     pub const fn rows(&self) -> [[f32; 3]; 3] {
         let [a, b, c] = self.rows;

@@ -55,7 +55,8 @@ impl Raster<'_> {
         let mut part = Part { row: &row, x, run: part, depths: None };
         self.paint(0..block, &mut part);
         if block < beyond {
-            // For a short part fewer distances are kept: a scene that is drawn run by run may have little stack.
+            // Memory for fewer distances serves a short part: a scene that is drawn run by run may have little
+            // stack.
             if part.run.len() > RUN {
                 self.block::<C, MOST_DEPTHS>(&mut part);
             } else {
@@ -104,10 +105,11 @@ impl Raster<'_> {
         }
     }
 
-    /// Paints one sheet of a solid on a part of a row. Not inline: in a loop it keeps more on the stack.
+    /// Paints one sheet of a solid on a part of a row. This function is not inlined: in the loop of its caller
+    /// it would take more stack.
     #[inline(never)]
     fn sheet<C: Paint>(&self, solid: &Solid, sheet: &Sheet, part: &mut Part<C>) {
-        // Not taken apart: that would copy its parts.
+        // `along` stays whole: a pattern that moves the sweep and the rays out of it would copy both.
         let mut along = SolidRow::new(solid, sheet, part.row, part.columns(), part.depths.is_some());
         if along.sweep.is_culled() {
             return;

@@ -221,6 +221,16 @@ impl View<'_> {
         })
     }
 
+    /// Whether a height differs by less than `margin` from that of an end, or, if there are steps, of any knot.
+    #[inline(never)]
+    pub fn is_near_edge(&self, z: f32, margin: f32) -> bool {
+        let View { frame, segments } = *self;
+        let is_near = |edge: f32| (z - edge).abs() < margin;
+        is_near(frame.low)
+            || is_near(frame.high)
+            || frame.has_rings && segments.iter().any(|segment| is_near(segment.low))
+    }
+
     /// The number of the last segment whose lower end is at the height or below, or 0 if there is none, by
     /// binary search: each step is half the one before. Spare segments begin at +∞ and are never returned.
     #[inline]

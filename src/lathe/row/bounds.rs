@@ -58,9 +58,13 @@ pub(super) struct RowBounds<'a> {
     pub lathe: View<'a>,
     /// Whether none of the rays comes near the solid.
     pub is_culled: bool,
-    /// Whether the bounds are of use. They are not if the rays spread too wide, begin too near the solid, or
-    /// begin so far away that rounding decides. Then every pixel gets a *single ray*.
+    /// Whether the bounds are of use. They are not if the rays spread too wide, begin so far away that
+    /// rounding decides, or if they are parallel and begin near the solid. Then every pixel gets a *single
+    /// ray*.
     pub is_usable: bool,
+    /// The s at which the rays begin, if they have one origin and it lies near the solid or inside: not
+    /// before `span`. −∞ if they begin before.
+    pub start: f32,
     /// What relates s to the distance t along a ray: `unit·t = shift + s`. `shift` is the distance from the
     /// ray's origin to where s is zero, counted like s in lengths of D; `unit` is how many of these make a t
     /// of 1.
@@ -147,8 +151,8 @@ impl<'a> RowBounds<'a> {
         let (half, center) = (part.half(), part.center());
         let frame = lathe.frame;
         let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *rays;
-        // If |M + s·D| ≤ size, then |s| ≤ |M·D|/D² + size/|D|. Of the middle ray M·D is zero. D² and q are
-        // convex in the pixel's number, and so no less than their tangents at the middle.
+        // If |M + s·D| ≤ size, then |s| ≤ |M·D|/D² + size/|D|. Of the middle ray M·D is zero. D² is convex in
+        // the pixel's number, and so no less than its tangent at the middle.
         let square = dot(d, d);
         let least = square - 2.0 * half * dot(d, d1).abs();
         let length = Native::sqrt(least);
@@ -161,20 +165,22 @@ impl<'a> RowBounds<'a> {
         // between the two rays.
         let near = WIDENED * frame.size + slip + half * (one_norm(m1) + span * one_norm(d1));
         let is_outside_ball = dot(m, m) > near * near;
-        let q = dot_xy(d, d) - 2.0 * half * dot_xy(d, d1).abs();
         let steep = d.z.abs() + half * d1.z.abs();
+        // q is D² less dz².
+        let q = greater(0.0, least - steep * steep);
         let drift = m1.z.abs() + span * d1.z.abs();
         // The bounds are of use if no direction is shorter than half the middle one, so that the spread of
-        // the rays no more than doubles a bound; if no ray is parallel to the axis; if the eye is outside the
-        // span; if the tolerance is small; and if every segment has a height in the frame.
+        // the rays no more than doubles a bound; if the rays begin before the span, or at one place; if the
+        // tolerance is small; and if every segment has a height in the frame.
+        let begins_before = shift > span + slip;
+        let start = if begins_before { f32::NEG_INFINITY } else { -shift };
         let is_usable = least > 0.25 * square
-            && q > 0.0
-            && shift > span + slip
+            && (begins_before || rough == 0.0)
             && tolerance < MOST_TOLERANCE
             && frame.max_slope < f32::INFINITY
             && frame.curvature < f32::INFINITY;
 
-        let Plane { height, spread } = Plane::of(rays, frame.bounding_square + tolerance);
+        let Plane { height, spread } = Plane::of(rays, span, frame.bounding_square + tolerance);
         let spread = spread + slip;
         let (low, high) = (greater(frame.low, height - spread), lesser(frame.high, height + spread));
         let is_culled = is_outside_ball || is_usable && low > high;
@@ -199,17 +205,16 @@ impl<'a> RowBounds<'a> {
             let pixel = center + nearest_pixel(rays, vector([0.0, 0.0, height]));
             part.start.max(part.end.min((pixel + 0.5) as u32))
         };
-        // In a usable row D² ≤ 2·square for every ray, square being that of the middle one. For D² = square +
-        // 2i·⟨D, D₁⟩ + i²·D₁². The span is at least half²·D₁²·shift/least; the eye is outside of the span,
-        // that is shift > span; so half²·D₁² < least, and least = square − 2·half·|⟨D, D₁⟩|. The factor is
-        // 2.25 rather than 2 because of rounding.
-        let longest = 2.25 * square;
+        // D² is convex in the pixel's number, and so largest at an end of the row. The factor is for rounding,
+        // of D as well.
+        let longest = (2.0 * square - least + half * half * dot(d1, d1)) * (1.0 + 1.0 / 1024.0);
         let has_one_side = is_usable && d.z.abs() > half * d1.z.abs();
         let least_slope = if part.has_depth { 0.0625 * Native::sqrt(longest) } else { 0.0 };
         Self {
             lathe,
             is_culled,
             is_usable,
+            start,
             shift,
             unit,
             middle,
@@ -285,12 +290,13 @@ struct Plane {
 }
 
 impl Plane {
-    /// The plane of the rays; `square` is the square of the cylinder's radius. At each height the plane has
+    /// The plane of the rays, whose solid has |s| ≤ span; `square` is the square of the cylinder's radius. At each height the plane has
     /// a level line. The distance of that line from the axis is proportional to the difference between its
     /// height and the height at which the plane meets the axis.
     #[inline(always)]
-    fn of(rays: &RayRow, square: f32) -> Self {
-        let normal = cross(rays.origin_step, rays.direction);
+    fn of(rays: &RayRow, span: f32, square: f32) -> Self {
+        // The step of the points at s = span: at the s where all rays begin they have none.
+        let normal = cross(rays.origin_step + rays.direction_step * span, rays.direction);
         let per_z = 1.0 / normal.z;
         let spread = Native::sqrt(square * dot_xy(normal, normal)) * per_z.abs();
         Self { height: dot(normal, rays.origin) * per_z, spread }

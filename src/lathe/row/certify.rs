@@ -24,12 +24,12 @@
 //! coefficient of p², and P the distance from the root to where the ray comes in. Then, since B is not
 //! negative at P, it is at least `(1 − p/P)·(|A| − c·p·P)` between. P is at most `h/|dz|`, with h the
 //! segment's height. So B is positive if `|A| > |F‴/6|·h²·|dz|`.
-//! Where |A| is less, [`Sweep::is_nearest_by_cubic`] decides, pixel by pixel.
+//! Where |A| is less, [`Sweep::is_nearest_at`] decides, pixel by pixel.
 
 use super::skip::UpperBound;
 use super::sweep::{Certificate, Start, Sweep};
 use crate::lathe::segment::Segment;
-use crate::math::minmax::lesser;
+use crate::math::minmax::{greater, lesser};
 
 /// What is known of the tracked root.
 pub(super) enum Certification {
@@ -73,14 +73,13 @@ impl Sweep<'_> {
         let [_, _, _, f3] = segment.f;
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
         let mut passed = Concave { first: segment, index: root.index, slope_jumps: 0.0, is_all: false };
-        if let Some(is_rising) = bounds.rising {
-            // B, see the top of this file, is concave.
-            if (f3 > 0.0) != (is_rising == enters) {
-                bump = 0.0;
-            }
-            if is_concave || !enters && bump == 0.0 {
-                passed = self.concave(is_rising);
-            }
+        let (rises, turns) = self.rises_until(i);
+        // B, see the top of this file, is concave.
+        if (f3 > 0.0) != (rises == enters) {
+            bump = 0.0;
+        }
+        if is_concave || !enters && bump == 0.0 {
+            passed = self.concave(rises);
         }
         // Before all segments the ray may still meet a ring outside of the wall of the end.
         let before = if enters && passed.is_all && !bounds.lathe.frame.has_jumps {
@@ -92,16 +91,28 @@ impl Sweep<'_> {
             Before::Clear { until } => {
                 let own = bounds.in_segment(segment);
                 let slope = (passed.slope_jumps + bump * segment.per_height) * bounds.steep + own.slack;
-                Certification::Nearest(Certificate { slope, bump, own, until })
+                Certification::Nearest(Certificate { slope, bump, own, until: until.min(turns) })
             }
             Before::MayMeet(start) => Certification::Another(start),
             Before::Undecided => Certification::Undecided,
         }
     }
 
+    /// Whether the i-th ray rises, and the first pixel after it for whose ray that is not certain.
+    #[inline(always)]
+    fn rises_until(&self, i: u32) -> (bool, u32) {
+        if let Some(is_rising) = self.bounds.rising {
+            return (is_rising, u32::MAX);
+        }
+        let (dz, step) = (self.ray(i).1.z, self.direction.rays.direction_step.z);
+        let turn = -dz / step;
+        // The conversion to u32 saturates.
+        (dz > 0.0, if turn > 0.0 { i.saturating_add((turn as u32).max(1)) } else { u32::MAX })
+    }
+
     /// The segments, from the root's own back, through which g is concave along every ray of the row, but for
     /// slope jumps. Together these jumps raise g by less than a quarter of the tolerance; rounding changes g
-    /// by another quarter at most. `is_rising` is true if all rays of the row rise, false if all fall.
+    /// by another quarter at most. `is_rising` says whether the rays rise.
     #[inline(always)]
     fn concave(&self, is_rising: bool) -> Concave<'_> {
         let bounds = &self.bounds;
@@ -132,13 +143,14 @@ impl Sweep<'_> {
         let (path, sign) = (self.path(i), root.sign);
         let frame = bounds.lathe.frame;
         let end = if path.rises() { &frame.base } else { &frame.top };
-        // A ray that leaves the solid at the root it sees has come in through an open end: at a cap it would
-        // have entered.
-        if sign < 0.0 && !(end.beyond > 0.0) {
+        let (near, far) = self.interval(&path);
+        // A ray that leaves the solid at the root it sees begins inside, or has come in through an open end:
+        // at a cap it would have entered.
+        if sign < 0.0 && near > bounds.start && !(end.beyond > 0.0) {
             return Before::Undecided;
         }
-        let (near, far) = self.interval(&path);
         let far = lesser(far, path.slab(passed.first.low, passed.first.high).0);
+        let far = greater(bounds.start, far);
         // The proofs for the root's own segment need the sign of g where the ray comes into it, unless the
         // slope suffices. So g is bounded at that point in any case, even where it lies before `near`.
         let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
@@ -160,13 +172,15 @@ impl Sweep<'_> {
         Before::MayMeet(Start { index, s, sign: sign * crosses })
     }
 
-    /// True if it is certain that g keeps its sign between the point where a ray comes into the tracked
-    /// root's segment and the root. The certificate must hold for the ray: then g has the right sign at that
-    /// point.
+    /// Whether a root is certain to be its ray's nearest, where the slope alone does not prove it. The
+    /// certificate must hold for the ray. If the rays begin near the solid, the root must lie behind that
+    /// place by more than rounding. If then the slope is less than the certificate asks for, g must keep its
+    /// sign between the point where the ray comes into the root's segment and the root; the certificate says
+    /// that g has the right sign at that point.
     ///
-    /// `u` is that of the root, `q` that of the ray. As in [`Sweep::track`], the ray is reversed for a root
-    /// where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is dg/ds at the point
-    /// where Newton's last step began. That point is at the root's s plus `back`.
+    /// `u` and `s` are those of the root, `q` that of the ray. As in [`Sweep::track`], the ray is reversed
+    /// for a root where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is dg/ds at the
+    /// point where Newton's last step began. That point is at the root's s plus `back`, along that ray.
     ///
     /// Let A be the slope at the root, and w the distance in u from the root back towards the ray's origin.
     /// Then, with g″ taken at the root,
@@ -175,16 +189,22 @@ impl Sweep<'_> {
     ///
     /// B is positive at the root and where the ray comes in. So it is positive between if c₃ ≤ 0; and if c₃ >
     /// 0, it is where c₂ < 0 or the discriminant of B is negative. The certificate's `bump` is zero if c₃ ≤ 0
-    /// is certain. If the rays of the row neither all rise nor all fall, c₃ is taken for positive.
+    /// is certain.
     #[cold]
     #[inline(never)]
-    pub(super) fn is_nearest_by_cubic(&self, u: f32, slope: f32, back: f32, q: f32, kappa: f32) -> bool {
+    pub(super) fn is_nearest_at(&self, u: f32, s: f32, slope: f32, back: f32, q: f32, kappa: f32) -> bool {
         let [_, _, f2, f3] = self.root.segment.f;
+        let Certificate { slope: certain, bump, ref own, .. } = self.root.certificate;
+        if !((s - self.bounds.start) * slope > own.tolerance) {
+            return false;
+        }
+        if slope > certain {
+            return true;
+        }
         let kappa = kappa.abs();
         let square = kappa * kappa;
         let curve = (3.0 * f3 * u + f2) * square - q;
         let (c2, slope) = (self.root.sign * curve, slope - 2.0 * curve * back);
-        let Certificate { bump, ref own, .. } = self.root.certificate;
         slope > own.slack && c2 * c2.abs() < 4.0 * (slope - own.tolerance) * kappa * (bump * square)
     }
 }

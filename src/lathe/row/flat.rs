@@ -58,7 +58,7 @@ impl Sweep<'_> {
     }
 
     /// The s at which the i-th ray passes through the cap or the ring of the last [`Span::Flat`], clear of its
-    /// rims by more than the tolerance. `None` if it does not, or if its distance is not certain enough to be
+    /// rims and of the ray's begin by more than the tolerance. `None` if it does not, or if its distance is not certain enough to be
     /// compared.
     // Not `inline(always)`: in a build for size, flash should contain the function only once.
     #[inline]
@@ -70,7 +70,8 @@ impl Sweep<'_> {
         // An error of the height moves the point by 1/|dz| times as much: so the flatter the ray, the farther
         // from a rim the point has to be. At |dz| = 1 its r² has to differ from the rim's by the tolerance.
         let toward = -flat.up * d.z;
-        let clear = (flat.half - (x * x + y * y - flat.middle).abs()) * toward;
+        let from_rims = flat.half - (x * x + y * y - flat.middle).abs();
+        let clear = lesser(from_rims, s - self.bounds.start) * toward;
         (clear > self.bounds.tolerance && 4.0 * toward >= self.bounds.least_slope).then_some(s)
     }
 

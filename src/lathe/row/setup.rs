@@ -37,7 +37,12 @@ impl Lathe {
         }
 
         let unit = frame.scale * unit;
-        let bounds = RowBounds::new(lathe, &rays, shift, unit, rough * unit, part);
+        let mut bounds = RowBounds::new(lathe, &rays, shift, unit, rough * unit, part);
+        if bounds.start > f32::NEG_INFINITY {
+            // On which side of an edge's plane the rays begin must not be decided by rounding.
+            let height = rays.origin.z + bounds.start * rays.direction.z;
+            bounds.is_usable &= !lathe.is_near_edge(height, bounds.tolerance);
+        }
         let (origin, direction) = rays.at(bounds.middle as f32 - 0.5 - center);
         let RayRow { origin_step, direction_step, .. } = rays;
         let rays = RayRow { origin, origin_step, direction, direction_step };

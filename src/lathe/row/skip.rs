@@ -4,7 +4,6 @@
 use super::bounds::SPANS;
 use super::sweep::{Start, Sweep};
 use crate::cubic::{Cubic, quadratic_max_on};
-use crate::lathe::frame::View;
 use crate::lathe::ray::LocalRay;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
@@ -45,15 +44,10 @@ impl Sweep<'_> {
         let bounds = &self.bounds;
         let path = self.path(i);
         // A ray that runs level in the plane of an end or of a step may meet the rim, where g has a jump.
-        let View { frame, segments } = bounds.lathe;
-        let is_at = |z: f32| (path.z - z).abs() + path.dz.abs() < bounds.tolerance;
-        if is_at(frame.low)
-            || is_at(frame.high)
-            || frame.has_rings && segments.iter().any(|segment| is_at(segment.low))
-        {
+        if bounds.lathe.is_near_edge(path.z, bounds.tolerance - path.dz.abs()) {
             return Probe::MayMeet(Start { index: usize::MAX, s: 0.0, sign: 0.0 });
         }
-        let exit = if path.rises() { frame.len } else { 0 };
+        let exit = if path.rises() { bounds.lathe.frame.len } else { 0 };
         match self.below_zero(i, &path, 1.0, self.interval(&path), exit) {
             Ok(to) => Probe::Misses { to },
             // If g is not known to fall through zero, the ray may leave the solid through the other end.
@@ -81,16 +75,21 @@ impl Sweep<'_> {
         if !(bound.g < 0.0) {
             return Err(bound);
         }
+        if interval == (self.bounds.start, self.bounds.start) {
+            // A point of all rays.
+            return Ok(u32::MAX);
+        }
         Ok((i + 1).saturating_add(self.certified_run(path, self.ray(i), sign, -bound.g, interval)))
     }
 
     /// An interval of s along a ray. It contains the point of this ray at every height at which this ray, or
     /// any of the next rays that a probe of this ray certifies, can meet the solid. If there is no such
-    /// height, it is empty: its end comes before its begin.
+    /// height, it is empty: its end comes before its begin. It begins where the rays begin, if that is later:
+    /// at one point, and so at one height, for all of them.
     pub(super) fn interval(&self, path: &LocalRay) -> (f32, f32) {
         let span = (1.0 + SPANS) * self.bounds.span;
         let (near, far) = path.slab(self.bounds.low, self.bounds.high);
-        (greater(-span, near), lesser(span, far))
+        (greater(self.bounds.start, greater(-span, near)), lesser(span, far))
     }
 
     /// An upper bound of sign·g and its tolerance between two points of a ray, −∞ if the far one comes before
@@ -108,6 +107,7 @@ impl Sweep<'_> {
         let rises = path.rises();
         let (step, entry) = if rises { (1, 0) } else { (usize::MAX, frame.len) };
         if frame.has_rings {
+            let entry = if near > bounds.start { entry } else { usize::MAX };
             for (t, number, is_behind) in [(near, entry, false), (far, last, true)] {
                 if let Some(plane) = lathe.plane(number) {
                     let square = if is_behind == rises { plane.above } else { plane.below };

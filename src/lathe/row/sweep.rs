@@ -123,7 +123,7 @@ pub(super) enum TrackEnd {
 pub(super) struct Certificate {
     /// The root is the nearest if the slope of g at it is more than this.
     pub slope: f32,
-    /// For the second test, [`Sweep::is_nearest_by_cubic`]: |f3| of the root's own segment, or zero if the
+    /// For the second test, [`Sweep::is_nearest_at`]: |f3| of the root's own segment, or zero if the
     /// slope alone suffices in that segment.
     pub bump: f32,
     /// The bounds of the root's own segment.

@@ -38,7 +38,8 @@ impl Sweep<'_> {
         let rays = &self.direction.rays;
         let (m1, d1) = (point(rays.origin_step, 0.0), toward(rays.direction_step));
         let [c0, c1, c2, c3] = segment.f;
-        let certain = root.certificate.slope;
+        // If the rays begin near the solid, each root is to be compared with that place.
+        let certain = if bounds.start > f32::NEG_INFINITY { f32::INFINITY } else { root.certificate.slope };
         let step_tolerance = root.certificate.own.step_tolerance;
         // Within the tolerance of the solid's ends and of steps, in height, the row decides nothing.
         let pad = bounds.tolerance * segment.per_height;
@@ -81,7 +82,7 @@ impl Sweep<'_> {
                     end = TrackEnd::Left { upper: u > 0.5 };
                     break 'pixels;
                 }
-                if !(slope > certain || self.is_nearest_by_cubic(u, slope, back, dot_xy(d, d), d.z)) {
+                if !(slope > certain || self.is_nearest_at(u, sign * s, slope, back, dot_xy(d, d), d.z)) {
                     end = TrackEnd::Uncertified;
                     break 'pixels;
                 }

@@ -78,11 +78,11 @@ impl Camera {
 
     /// [`Camera::framing`] of an orthographic camera, for a picture whose height is `aspect` times its width.
     const fn framing_flat(self, solids: &[Solid], aspect: f32) -> Result<Self, SceneError> {
-        const NONE: F32x3 = F32x3 { x: 0.0, y: 0.0, z: 0.0 };
+        const ZERO: F32x3 = F32x3 { x: 0.0, y: 0.0, z: 0.0 };
         let square = dot(self.right, self.right);
-        let [right, left] = self.reaches(solids, self.right, NONE);
-        let [top, bottom] = self.reaches(solids, self.up, NONE);
-        let [far, near] = self.reaches(solids, self.forward, NONE);
+        let [right, left] = self.reaches(solids, self.right, ZERO);
+        let [top, bottom] = self.reaches(solids, self.up, ZERO);
+        let [far, near] = self.reaches(solids, self.forward, ZERO);
         // The half-widths that the solids' width and their height ask for, in units of the present
         // half-width.
         let (wide, high) = (0.5 * (right + left) / square, 0.5 * (top + bottom) / (square * aspect));

@@ -52,15 +52,15 @@ impl<C: Paint> Canvas<'_, '_, C> {
     /// Paints the pixels from the i-th on, to before `to`, as long as they see the tracked root, and their
     /// mirror images. Returns the first that does not see it, `to` at most.
     ///
-    /// This function is not inlined: it saves many registers on the stack, and while single rays are cast
-    /// that memory is to be free.
+    /// This function is not inlined: it saves many registers on the stack, and that memory should be free
+    /// while single rays are cast.
     #[inline(never)]
     fn tracked(&mut self, sweep: &mut Sweep, i: u32, to: u32) -> u32 {
         let Self { brush, run, depths } = self;
         let mut at = (sweep.column(i) - brush.x) as usize;
         let step = if sweep.is_reversed() { usize::MAX } else { 1 };
-        // The index in `run` of a pixel's mirror image is this less the pixel's own index. Without a mirror
-        // image that difference lies outside of `run`.
+        // This minus the index of a pixel in `run` is the index of its mirror image. Without mirror images the
+        // difference lies outside of `run`.
         let both = if brush.mirrored.is_some() { run.len().wrapping_sub(1) } else { usize::MAX };
         let mirrored = brush.mirrored.as_ref().unwrap_or(brush.to_light());
         sweep.track(i, to, |seen, s| {

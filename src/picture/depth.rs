@@ -41,8 +41,8 @@ impl<'a, C: Paint> Depths<'a, C> {
         Self { run, nearest, block, error: 0.0, scale: Scale::default() }
     }
 
-    /// To be called before the pixels of each sheet: takes note of what the distances of its sweep are
-    /// computed from, and how exact they are.
+    /// Prepares for the pixels of the next sheet: stores what the distances of its sweep are computed from, and
+    /// raises the bound of their error to that of this sweep if it is larger.
     pub fn begin(&mut self, sweep: &Sweep) {
         self.error = greater(self.error, sweep.depth_error());
         self.scale = sweep.scale();

@@ -38,10 +38,10 @@ impl<'a> SolidRow<'a> {
     ) -> Self {
         let Ray { origin, direction, unit } = ray(solid, row, 0);
         let (step, projection) = row.step();
-        let (step, none) = (solid.direction_into(step), vector([0.0; 3]));
+        let (step, zero) = (solid.direction_into(step), vector([0.0; 3]));
         let (origin_step, direction_step) = match projection {
-            Projection::Perspective => (none, step),
-            Projection::Orthographic => (step * unit, none),
+            Projection::Perspective => (zero, step),
+            Projection::Orthographic => (step * unit, zero),
         };
         let rays = RayRow { origin, origin_step, direction, direction_step };
         let part = RowPart { width: row.width, start, end, has_depth };

@@ -25,6 +25,12 @@ impl Ball {
         Self { mid: value, err: 0.0 }
     }
 
+    /// A ball around all numbers from `low` to `high`.
+    pub fn between(low: f64, high: f64) -> Self {
+        let mid = 0.5 * (low + high);
+        Self { mid, err: (high - mid).max(mid - low).next_up() }
+    }
+
     fn rounded(mid: f64, err: f64) -> Self {
         Self { mid, err: (err + HALF_ULP * mid.abs()) * OUTWARD + UNDERFLOW }
     }

@@ -1,205 +1,156 @@
 //! The proof of how far a section and the segments that stand for it are apart, both ways.
 //!
-//! With H(r, z) = F(z) − r², F the segments' squared radius, the fitted curve is where H = 0. Let C(t) be a
-//! point of the section, g = H(C(t)), and d a direction. If H grows along d by at least m per unit of length
-//! everywhere within |g|/m of C(t), then on the line through C(t) along d there is exactly one point of the
-//! fitted curve as near as that. Where d changes continuously with t, so does that point: if it passes from one
-//! end of the fitted curve to the other it passes every point of it, and the largest |g|/m bounds the distance
-//! from either curve to the other one.
+//! Let C(t) be a point of the section and d(t) a vector, at most 1 long, that changes continuously with t and
+//! points away from the axis. Let every point C(t) + β(t)·d(t) be outside of the fitted curve, farther from the
+//! axis than it is at that height, and every point C(t) − γ(t)·d(t) inside of it, where β and γ are continuous and
+//! do not exceed B. Then neither curve is anywhere farther than B from the other one:
 //!
-//! So the section is cut into intervals. At each cut d is the gradient of H; between two cuts it is what lies
-//! between theirs, along which H grows by no less than the smaller of the two. g over an interval is a ratio of
-//! polynomials, whose Bernstein coefficients enclose it; they are computed in [`Ball`]s, rounded outwards. The
-//! interval with the largest bound is halved until that is known to 2 %.
+//! - The straight line from C(t) − γ·d to C(t) + β·d crosses the fitted curve, and no point of it is farther than
+//!   B from C(t).
+//! - These lines, for all t, are the image of a rectangle. Its border winds once around each point of
+//!   the fitted curve between the first line and the last one: a way that leaves the point along the fitted curve,
+//!   which height parametrizes, crosses neither of the two long sides, and of the short ones only one. So the point is in
+//!   the image: it lies on a line, not farther than B from C(t).
 //!
-//! Three kinds of places have rules of their own:
+//! That is the whole proof, and it needs signs only. Between two cuts d is interpolated linearly from the normals there, or at a corner from what lies between its two normals;
+//! C(t) ± B·d(t) is polynomial, or a ratio of polynomials over one denominator, and so is H = F − r² along
+//! it, F the fitted squared radius. Its Bernstein coefficients, computed in [`Ball`]s that are rounded outwards, have
+//! one sign, or the interval is halved. On the inner side of a sharp bend, where parallels fold, smaller β do.
 //!
-//! - Where the curve is steep d is level, towards the axis, and the distance that of the radii at one height,
-//!   |g|/(r + √F), with no need to look at H anywhere else.
-//! - At a tip with a step the fitted curve goes on along the step, at the height of its end, with H of one sign
-//!   between the two: a line that meets no zero of H before that height meets the step there. Beside
-//!   the tip itself d is upright, so that the last line meets the end of the step.
-//! - At any other tip lines along d might miss the end of the fitted curve. What is left of both curves there
-//!   lies in a box. In a box of which both curves cross the whole width no point is farther from the other curve
-//!   than the box is high; nor farther than it is wide, if they cross the whole height; nor in any case
-//!   than its diagonal.
+//! Both curves are continued beyond their ends by parallel rays: upright ones, or, where the end is level or at the axis,
+//! rays at 14° to it. At the axis they go on to negative radii. A step at an end belongs to the fitted curve. A point of
+//! a ray is farther from whatever lies behind the ray's start than that start is, so that what is
+//! proven of the continued curves holds for those without rays.
 
 use crate::{
     ball::Ball,
     bernstein::{lift, product, restrict, scale, sum},
     piece::{Piece, Point, Radius},
-    section::Section,
+    section::{Section, normal},
     segment::Segment,
 };
-use std::collections::BinaryHeap;
 
-/// An upper bound of the distance between the section and the segments, one-sided both ways, whichever is
-/// larger. It is computed as closely as it takes to be below the tolerance. The segments stand one on the other;
-/// `steps` says whether a step leads from the end of the segments to that of the section, below and above.
-pub(crate) fn distance(section: &Section, segments: &[Segment], steps: [bool; 2], tolerance: f64) -> f64 {
+/// An upper bound of the distance between the section and the segments, the larger of both ways, that does not
+/// exceed the tolerance; or, if none is proven, the place on the section where the proof fails. The segments
+/// stand one on the other; `steps` says whether a step leads from the end of the segments to that of the section,
+/// below and above.
+pub(crate) fn distance(
+    section: &Section,
+    segments: &[Segment],
+    steps: [bool; 2],
+    tolerance: f64,
+) -> Result<f64, f64> {
     let proof = Proof::new(section, segments, steps, tolerance);
-    let length = section.pieces.len() as f64;
-    let known = (0..=KNOWN_AT).map(|i| proof.cut(length * f64::from(i) / f64::from(KNOWN_AT)).distance);
-    let known = known.fold(0.0, f64::max);
-    let tight = proof.bound(known);
-    // Where the fitted curve is a needle, lines from anywhere near may miss its end: a larger box may do.
-    if tight <= tolerance { tight } else { tight.min(proof.bound(0.9 * tolerance)) }
-}
-
-/// In so many steps of s the distance is looked at before anything is proven.
-const KNOWN_AT: u32 = 100;
-
-/// The intervals that are not tips, the one with the largest bound first.
-struct Search<'a> {
-    proof: &'a Proof<'a>,
-    intervals: BinaryHeap<Interval>,
-    /// The largest bound of a single place so far.
-    known: f64,
-}
-
-impl Search<'_> {
-    fn add(&mut self, a: Cut, b: Cut) {
-        self.intervals.push(Interval { bound: self.proof.inner(a, b), a, b });
+    let beyond = proof.ends.iter().fold(0.0, |m: f64, end| m.max(end.beyond));
+    let room = (tolerance - beyond).next_down() * (1.0 - 8.0 * f64::EPSILON);
+    if !(room > 0.0) {
+        let at = if proof.ends[0].beyond >= tolerance { 0.0 } else { section.pieces.len() as f64 };
+        return Err(at);
     }
-
-    /// The largest bound, once it is known to 2 %, or not worth the while.
-    fn bound(mut self, small: f64) -> f64 {
-        for _ in 0..MOST_HALVINGS {
-            let Some(Interval { bound, a, b }) = self.intervals.pop() else { return 0.0 };
-            let middle = 0.5 * (a.s + b.s);
-            if bound <= (1.02 * self.known).max(small) || !(a.s < middle && middle < b.s) {
-                return bound;
-            }
-            let cut = self.proof.cut(middle);
-            let here = self.proof.inner(cut, cut);
-            // No halving proves less than what a single place takes.
-            if !(here <= self.proof.tolerance) {
-                return bound.max(here);
-            }
-            self.known = self.known.max(here);
-            self.add(a, cut);
-            self.add(cut, b);
+    proof.holds(room)?;
+    // A smaller bound may hold, too: no smaller one than what is measured.
+    let (mut least, mut next) = (room, 1.01 * proof.measured() + proof.rounding());
+    for _ in 0..CLOSER {
+        if !(next < 0.99 * least) {
+            break;
         }
-        self.intervals.peek().map_or(0.0, |interval| interval.bound)
-    }
-}
-
-/// Then whatever is proven so far is returned.
-const MOST_HALVINGS: usize = 1000;
-
-/// A place where the section is cut, with the direction there, and about how far the fitted curve is.
-#[derive(Clone, Copy)]
-struct Cut {
-    s: f64,
-    direction: Direction,
-    distance: f64,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Direction {
-    /// Towards the axis.
-    Level,
-    /// A unit vector.
-    Along([f64; 2]),
-    /// Upright, beside a tip where there is a step.
-    Upright,
-}
-
-impl Direction {
-    /// As a unit vector, where upright lines go the way that H grows.
-    fn vector(self, slope: f64) -> [f64; 2] {
-        match self {
-            Self::Level => [-1.0, 0.0],
-            Self::Along(direction) => direction,
-            Self::Upright => [0.0, slope.signum()],
+        match proof.holds(next) {
+            Ok(()) => least = next,
+            Err(_) => next = (next * least).sqrt(),
+        }
+        if least == next {
+            break;
         }
     }
+    Ok((least * (1.0 + 8.0 * f64::EPSILON) + beyond).next_up())
 }
 
-struct Interval {
-    bound: f64,
-    a: Cut,
-    b: Cut,
+/// How many smaller bounds are tried.
+const CLOSER: usize = 5;
+
+/// What is tried for β, in units of B.
+const REACHES: [f64; 6] = [1.0, 0.7, 0.45, 0.25, 0.1, 0.0];
+
+/// How often intervals are halved, for each piece.
+const HALVINGS: usize = 200;
+
+/// In how many boxes the curves are looked at beside an end.
+const BOXES: i32 = 16;
+
+/// How near to a corner, in units of B, d turns from the normal to the corner's direction.
+const NEAR_CORNER: f64 = 3.0;
+
+/// Shorter intervals of t are not halved but where the proof needs it.
+const LONG: f64 = 0.1;
+
+/// Normals between which d is interpolated in longer ones: their product is at least as large, 25° between them.
+const NEAR: f64 = 0.9;
+
+type Vector = [f64; 2];
+
+/// What is proven of what.
+struct Proof<'a> {
+    section: &'a Section,
+    segments: &'a [Segment],
+    /// Below and above.
+    ends: [End; 2],
 }
 
-impl Ord for Interval {
-    fn cmp(&self, other: &Self) -> core::cmp::Ordering {
-        self.bound.total_cmp(&other.bound)
-    }
+/// How both curves go on beyond an end.
+struct End {
+    /// Where the section ends.
+    drawn: Point,
+    /// Where the segments end, or the step.
+    fitted: Point,
+    /// The direction of the ray, upwards.
+    ray: Vector,
+    /// How far either curve passes its end in the direction of the ray.
+    beyond: f64,
 }
-
-impl PartialOrd for Interval {
-    fn partial_cmp(&self, other: &Self) -> Option<core::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Interval {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Interval {}
 
 /// Numbers from the first to the second.
 #[derive(Clone, Copy, Debug)]
 struct Range(f64, f64);
 
 impl Range {
-    const NONE: Self = Self(f64::INFINITY, f64::NEG_INFINITY);
-
-    fn of(balls: &[Ball]) -> Self {
-        balls.iter().fold(Self::NONE, |range, ball| range.and(Self(ball.low(), ball.high())))
+    fn of(balls: impl IntoIterator<Item = Ball>) -> Self {
+        let none = Self(f64::INFINITY, f64::NEG_INFINITY);
+        balls.into_iter().fold(none, |range, ball| Self(range.0.min(ball.low()), range.1.max(ball.high())))
     }
 
-    fn and(self, other: Self) -> Self {
-        Self(self.0.min(other.0), self.1.max(other.1))
-    }
-
-    fn wider(self, by: f64) -> Self {
-        Self((self.0 - by).next_down(), (self.1 + by).next_up())
-    }
-
-    /// The largest magnitude.
-    fn magnitude(self) -> f64 {
-        self.1.max(-self.0)
-    }
-
-    fn width(self) -> f64 {
-        (self.1 - self.0).next_up()
-    }
-
-    /// The least value of x·a + y·b.
-    fn least_sum(x: f64, a: Self, y: f64, b: Self) -> f64 {
-        let least = |x: f64, Self(low, high): Self| (x * low).min(x * high).next_down();
-        (least(x, a) + least(y, b)).next_down()
+    /// The square roots of what is not below zero.
+    fn roots(self) -> Self {
+        Self(self.0.max(0.0).sqrt().next_down().max(0.0), self.1.max(0.0).sqrt().next_up())
     }
 }
 
-/// A slope of squared radius over height, in radii: where it is no larger the curve is steep. What is 17° from
-/// upright is at most 5 % farther away at one height than it is at all.
-const STEEP: f64 = 0.6;
-
-/// A slope in radii: where it is no smaller the curve is near level, 17° at most.
-const NEAR_LEVEL: f64 = 6.6;
-
-/// How small tips are tried: 2⁻¹ to 2⁻⁴⁴ of a piece.
-const TIPS: i32 = 45;
-
-/// What is proven of what.
-struct Proof<'a> {
-    section: &'a Section,
-    segments: &'a [Segment],
-    steps: [bool; 2],
-    /// Up to this s below, and from that one above, lines are upright.
-    upright: [f64; 2],
-    size: f64,
-    /// What exceeds it need not be known closely.
-    tolerance: f64,
+/// The two sides of the fitted curve.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Outside,
+    Inside,
 }
 
-/// A piece between two t, in balls.
+/// A part of the continued section over which d is interpolated.
+#[derive(Clone)]
+struct Part {
+    line: Line,
+    /// Where it begins and ends on its line.
+    t: Vector,
+    /// The directions there.
+    d: [Vector; 2],
+}
+
+/// What a part lies on.
+#[derive(Clone)]
+enum Line {
+    /// A piece of the section.
+    Piece(usize),
+    /// A straight line that continues it at a place.
+    Straight([Point; 2], f64),
+}
+
+/// A part's polynomials, in balls.
 struct Stretch {
     radius: Radii,
     z: Vec<Ball>,
@@ -212,7 +163,7 @@ enum Radii {
 }
 
 impl Stretch {
-    fn new(piece: &Piece, a: f64, b: f64) -> Self {
+    fn new(piece: &Piece, [a, b]: Vector) -> Self {
         let part = |c: &[f64]| restrict(&lift::<Ball>(c), a, b);
         let radius = match &piece.radius {
             Radius::Plain(r) => Radii::Plain(part(r)),
@@ -223,367 +174,328 @@ impl Stretch {
 
     fn over_weights(&self, c: &[Ball]) -> Range {
         if self.w.len() == 1 {
-            return Range::of(c);
+            return Range::of(c.iter().copied());
         }
-        Range::of(&c.iter().zip(&self.w).map(|(c, w)| c.over(*w)).collect::<Vec<_>>())
-    }
-
-    fn heights(&self) -> Range {
-        self.over_weights(&self.z)
+        // What is of a higher degree than the weights is so by a factor that interpolates.
+        let w = sum(&self.w, &vec![Ball::exact(0.0); c.len()]);
+        Range::of(c.iter().zip(w).map(|(c, w)| c.over(w)))
     }
 
     fn radii(&self) -> Range {
         match &self.radius {
             Radii::Plain(r) => self.over_weights(r),
-            Radii::Squared(f) => roots(Range::of(f)),
+            Radii::Squared(f) => Range::of(f.iter().copied()).roots(),
         }
     }
 
-    /// F − r², where F is the segment's cubic.
-    fn gap(&self, segment: &Segment) -> Range {
-        let [b0, b1, b2, b3] = segment.b.map(Ball::exact);
-        let three = Ball::exact(3.0);
-        let (f1, f2) = (three * (b1 - b0), three * (b2 - b1 - b1 + b0));
-        let f3 = b3 - b0 - three * (b2 - b1);
-        let [z0, z1] = segment.z.map(Ball::exact);
-        let height = z1 - z0;
-        // w·u, u the segment's parameter.
-        let u = sum(&self.z, &scale(&self.w, -z0));
-        let u: Vec<Ball> = u.into_iter().map(|u| u.over(height)).collect();
-        let (u2, w2) = (product(&u, &u), product(&self.w, &self.w));
-        let w3 = product(&w2, &self.w);
-        let low = sum(&scale(&w3, b0), &scale(&product(&u, &w2), f1));
-        let high = sum(&scale(&product(&u2, &self.w), f2), &scale(&product(&u2, &u), f3));
-        let square = match &self.radius {
-            Radii::Plain(r) => product(&product(r, r), &self.w),
-            Radii::Squared(f) => f.clone(),
+    /// The parallel at d times `by`.
+    fn parallel(&self, d: [Vector; 2], by: f64) -> Parallel {
+        let along = |axis: usize| scale(&lift::<Ball>(&[d[0][axis], d[1][axis]]), Ball::exact(by));
+        let (dr, dz) = (along(0), along(1));
+        let z = sum(&self.z, &product(&self.w, &dz));
+        let (radius, square) = match &self.radius {
+            Radii::Plain(r) => {
+                let radius = sum(r, &product(&self.w, &dr));
+                let square = product(&product(&radius, &radius), &self.w);
+                (radius, square)
+            }
+            Radii::Squared(f) => {
+                let Range(low, high) = Range::of(f.iter().copied()).roots();
+                let root = Ball::between(low, high);
+                let twice = scale(&dr, root + root);
+                (sum(&[root], &dr), sum(f, &sum(&twice, &product(&dr, &dr))))
+            }
         };
-        let gap = sum(&sum(&low, &high), &scale(&square, Ball::exact(-1.0)));
-        if w3.len() == 1 {
-            return Range::of(&gap);
-        }
-        Range::of(&gap.iter().zip(&w3).map(|(gap, w)| gap.over(*w)).collect::<Vec<_>>())
+        let heights = self.over_weights(&z);
+        let radii = self.over_weights(&radius);
+        Parallel { radius, square, z, heights, radii }
     }
 }
 
-/// The square roots of what is not below zero.
-fn roots(range: Range) -> Range {
-    Range(range.0.max(0.0).sqrt().next_down().max(0.0), range.1.max(0.0).sqrt().next_up())
+/// The points at some distance from a stretch, by its weights w: w·r, w³·r² and w·z.
+struct Parallel {
+    radius: Vec<Ball>,
+    square: Vec<Ball>,
+    z: Vec<Ball>,
+    heights: Range,
+    radii: Range,
 }
 
 impl<'a> Proof<'a> {
     fn new(section: &'a Section, segments: &'a [Segment], steps: [bool; 2], tolerance: f64) -> Self {
-        let radius = segments.iter().flat_map(|s| s.b).fold(0.0, |f: f64, b| f.max(b)).sqrt();
-        let height = segments[segments.len() - 1].z[1] - segments[0].z[0];
-        let pieces = &section.pieces;
-        // Where the section is near level, and so near to its tip that the step is near, too.
-        let near = |s: f64, tip: Point| {
-            let place = section.place(s);
-            (place.z - tip.z).abs() <= 0.5 * tolerance && place.slope.abs() >= NEAR_LEVEL * place.r
-        };
-        let length = pieces.len() as f64;
-        let part = (1..TIPS).map(|k| (-f64::from(k)).exp2());
-        let low = part.clone().find(|s| near(*s, section.low.at)).filter(|_| steps[0]);
-        let high = part.map(|s| length - s).find(|s| near(*s, section.high.at)).filter(|_| steps[1]);
-        let upright = [low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY)];
-        Self { section, segments, steps, upright, size: radius + height, tolerance }
-    }
-
-    /// The bound, with boxes at tips as large as they may be without exceeding `small` (or else as good as they
-    /// get).
-    fn bound(&self, small: f64) -> f64 {
-        let pieces = &self.section.pieces;
-        let length = pieces.len() as f64;
-        let small = small.max((-23f64).exp2() * self.size);
-        let tip = |upper: bool| {
-            let at = |k: i32| if upper { length - (-f64::from(k)).exp2() } else { (-f64::from(k)).exp2() };
-            // With a step upright lines reach the very end, but not if the segments turn before.
-            let step = self.steps[usize::from(upper)];
-            let mut best = if step {
-                (if upper { length } else { 0.0 }, self.overshoot(upper))
+        let end = |upper: bool| {
+            let (tip, segment) = if upper {
+                (&section.high, &segments[segments.len() - 1])
             } else {
-                (at(1), f64::INFINITY)
+                (&section.low, &segments[0])
             };
-            let largest = 1 - (length.log2() as i32);
-            for k in largest..TIPS {
-                let bound = self.tip(self.cut(at(k)), upper);
-                if bound <= small || bound < best.1 {
-                    best = (at(k), bound);
-                }
-                if bound <= small || step && k > 20 {
-                    break;
+            let (z, f) = if upper { (segment.z[1], segment.b[3]) } else { (segment.z[0], segment.b[0]) };
+            let r = if steps[usize::from(upper)] { tip.at.r } else { f.sqrt() };
+            let slope = tip.ray(upper);
+            let length = slope.hypot(1.0);
+            let ray = [slope / length, 1.0 / length];
+            End { drawn: tip.at, fitted: Point { r, z }, ray, beyond: 0.0 }
+        };
+        let mut proof = Self { section, segments, ends: [end(false), end(true)] };
+        for upper in [false, true] {
+            proof.ends[usize::from(upper)].beyond = proof.beyond(upper, tolerance);
+        }
+        proof
+    }
+
+    /// How far, in the direction of a ray, either curve passes its end, or the end of the other one.
+    fn beyond(&self, upper: bool, tolerance: f64) -> f64 {
+        let End { drawn, fitted, ray, .. } = self.ends[usize::from(upper)];
+        let apart = drawn.distance(fitted) * (1.0 + 4.0 * f64::EPSILON);
+        if ray[0] == 0.0 || drawn.r == 0.0 {
+            return apart;
+        }
+        // Within what heights a point of the ray may be near: twice the tolerance.
+        let near = 2.0 * tolerance;
+        let from = if upper { drawn.z - near } else { drawn.z };
+        let within = |at: i32| from + near * f64::from(at) / f64::from(BOXES);
+        let along = |Range(least, most): Range, z: Range| {
+            let [across, up] = if upper { ray } else { [-ray[0], -ray[1]] };
+            let r = if across > 0.0 { most - drawn.r } else { least - drawn.r };
+            let z = if upper { z.1 - drawn.z } else { z.0 - drawn.z };
+            (across * r + up * z).next_up()
+        };
+        let mut beyond: f64 = 0.0;
+        for z in (0..BOXES).map(|i| Range(within(i), within(i + 1))) {
+            for piece in &self.section.pieces {
+                let t = |z: f64| match z {
+                    z if z <= piece.start().z => 0.0,
+                    z if z >= piece.end().z => 1.0,
+                    z => piece.at_height(z),
+                };
+                let [a, b] = [t(z.0), t(z.1)];
+                if a < b {
+                    let stretch = Stretch::new(piece, [a, b]);
+                    beyond = beyond.max(along(stretch.radii(), stretch.over_weights(&stretch.z)));
                 }
             }
-            best
-        };
-        let [(low, low_bound), (high, high_bound)] = [tip(false), tip(true)];
-        let tips = low_bound.max(high_bound);
-        if !(low < high) {
-            return if low == high { tips } else { f64::INFINITY };
-        }
-        let mut cuts: Vec<f64> = (0..=pieces.len()).map(|i| i as f64).collect();
-        for segment in &self.segments[1..] {
-            let z = segment.z[0];
-            if let Some(i) = pieces.iter().position(|piece| piece.start().z < z && z < piece.end().z) {
-                cuts.push(i as f64 + pieces[i].at_height(z));
+            for segment in self.at_heights(z) {
+                let u = |z: f64| ((z - segment.z[0]) / (segment.z[1] - segment.z[0])).clamp(0.0, 1.0);
+                let [a, b] = [u(z.0), u(z.1)];
+                if a < b {
+                    beyond =
+                        beyond.max(along(Range::of(restrict(&segment.b.map(Ball::exact), a, b)).roots(), z));
+                }
             }
         }
-        cuts.extend(self.upright);
-        cuts.retain(|s| *s > low && *s < high);
-        cuts.extend([low, high]);
-        cuts.sort_by(f64::total_cmp);
-        cuts.dedup();
-        let cuts: Vec<Cut> = cuts.into_iter().map(|s| self.cut(s)).collect();
-        let mut search = Search { proof: self, intervals: BinaryHeap::new(), known: 0.0 };
-        for pair in cuts.windows(2) {
-            search.add(pair[0], pair[1]);
+        beyond + apart
+    }
+
+    /// What rounding to f32 may cost.
+    fn rounding(&self) -> f64 {
+        let z = self.ends.iter().fold(0.0, |z: f64, end| z.max(end.drawn.z.abs()));
+        let f = self.segments.iter().flat_map(|segment| segment.b).fold(0.0, f64::max);
+        (z + f.sqrt()) / f64::from(1 << 24)
+    }
+
+    /// About how far they are apart, by places of the section.
+    fn measured(&self) -> f64 {
+        let length = self.section.pieces.len() as f64;
+        let at = |i: usize| {
+            let place = self.section.place(length * i as f64 / MEASURED_AT as f64);
+            let segment = self.at_heights(Range(place.z, place.z))[0];
+            let (f, slope) = segment.at(place.z);
+            let along = (2.0 * place.r).hypot(slope).max(f64::MIN_POSITIVE);
+            ((f - place.f).abs() / along).min((f.max(0.0).sqrt() - place.r).abs())
+        };
+        (1..MEASURED_AT).map(at).fold(0.0, f64::max)
+    }
+
+    /// Whether the lines of a length of at most `by` to both sides end on that side; if not, where.
+    fn holds(&self, by: f64) -> Result<(), f64> {
+        let parts = self.parts(by);
+        self.side(&parts, by, Side::Outside)?;
+        self.side(&parts, by, Side::Inside)
+    }
+
+    /// The continued section from below: its pieces and its rays.
+    fn parts(&self, by: f64) -> Vec<Part> {
+        let pieces = &self.section.pieces;
+        let [low, high] = &self.ends;
+        let across = |end: &End| [end.ray[1], -end.ray[0]];
+        let on_ray =
+            |end: &End, by: f64| Point { r: end.drawn.r + by * end.ray[0], z: end.drawn.z + by * end.ray[1] };
+        let normals: Vec<Vector> = (0..=pieces.len()).map(|i| self.section.place(i as f64).normal).collect();
+        let mut parts = vec![Part {
+            line: Line::Straight([on_ray(low, -2.0 * by), low.drawn], 0.0),
+            t: [0.0, 1.0],
+            d: [across(low), normals[0]],
+        }];
+        for (i, d) in normals.windows(2).enumerate() {
+            parts.push(Part { line: Line::Piece(i), t: [0.0, 1.0], d: [d[0], d[1]] });
         }
-        search.bound(small.max(0.98 * tips)).max(tips)
+        let last = pieces.len();
+        parts.push(Part {
+            line: Line::Straight([high.drawn, on_ray(high, 2.0 * by)], last as f64),
+            t: [0.0, 1.0],
+            d: [normals[last], across(high)],
+        });
+        parts
     }
 
-    /// How far the segments end beyond the end of the section, to which a step leads back.
-    fn overshoot(&self, upper: bool) -> f64 {
-        let ends = self.ends();
-        let (end, z) = if upper { (self.section.high.at, ends.1) } else { (self.section.low.at, ends.0) };
-        let near = self.section.pieces[if upper { self.section.pieces.len() - 1 } else { 0 }].at(0.5).r;
-        let fitted = self.radii(Range(z, z));
-        if near < end.r { fitted.1 - end.r } else { end.r - fitted.0 }.max(0.0)
+    fn side(&self, parts: &[Part], by: f64, side: Side) -> Result<(), f64> {
+        let mut left: Vec<Part> = parts.iter().rev().cloned().collect();
+        let mut before = None;
+        let mut halvings = HALVINGS * parts.len();
+        while let Some(part) = left.pop() {
+            let reach = self.reach(&part, by, side, before);
+            if let Some(reach) = reach {
+                before = Some(reach);
+                continue;
+            }
+            let middle = 0.5 * (part.t[0] + part.t[1]);
+            let d = self.direction(&part, middle, by);
+            let here = Part { t: [middle; 2], d: [d; 2], ..part.clone() };
+            halvings = halvings.saturating_sub(1);
+            if halvings == 0
+                || !(part.t[0] < middle && middle < part.t[1])
+                || self.reach(&here, by, side, None).is_none()
+            {
+                return Err(self.place(&here));
+            }
+            left.push(Part { t: [middle, part.t[1]], d: [d, part.d[1]], ..part.clone() });
+            left.push(Part { t: [part.t[0], middle], d: [part.d[0], d], ..part });
+        }
+        Ok(())
     }
 
-    fn ends(&self) -> Range {
-        Range(self.segments[0].z[0], self.segments[self.segments.len() - 1].z[1])
+    /// The place on the section where a part begins.
+    fn place(&self, part: &Part) -> f64 {
+        match part.line {
+            Line::Piece(i) => i as f64 + part.t[0],
+            Line::Straight(_, s) => s,
+        }
     }
 
-    fn piece(&self, s: f64) -> (usize, f64) {
-        let i = (s as usize).min(self.section.pieces.len() - 1);
-        (i, s - i as f64)
+    /// The normal; but near a corner, where parallels to both sides of it cross, a direction between a part's.
+    fn direction(&self, part: &Part, t: f64, by: f64) -> Vector {
+        if let Line::Piece(i) = part.line {
+            let piece = &self.section.pieces[i];
+            let at = piece.at(t);
+            let near = |s: usize| {
+                let corner = self.section.place(s as f64);
+                corner.is_corner && at.distance(Point { r: corner.r, z: corner.z }) < NEAR_CORNER * by
+            };
+            if !near(i) && !near(i + 1) {
+                return normal(piece, t);
+            }
+        }
+        let [[a, b], [c, d]] = part.d;
+        let length = (a + c).hypot(b + d);
+        [(a + c) / length, (b + d) / length]
     }
 
-    fn cut(&self, s: f64) -> Cut {
-        let (i, t) = self.piece(s);
-        let Point { r, z } = self.section.pieces[i].at(t);
-        let above = self.segments.partition_point(|segment| segment.z[1] < z);
-        let segment = &self.segments[above.min(self.segments.len() - 1)];
-        let (f, slope) = segment.at(z);
-        let gradient = (2.0 * r).hypot(slope);
-        let direction = if s <= self.upright[0] || s >= self.upright[1] {
-            Direction::Upright
-        } else if slope.abs() <= STEEP * r || !(gradient > 0.0 && gradient.is_finite()) {
-            Direction::Level
-        } else {
-            Direction::Along([-2.0 * r / gradient, slope / gradient])
-        };
-        // Where lines are upright the step may be nearer.
-        let distance = match direction {
-            Direction::Upright => 0.0,
-            _ => ((f - r * r).abs() / gradient).min((f.max(0.0).sqrt() - r).abs()),
-        };
-        Cut { s, direction, distance: if distance.is_finite() { distance } else { 0.0 } }
+    fn at(&self, part: &Part, t: f64) -> Point {
+        match part.line {
+            Line::Piece(i) => self.section.pieces[i].at(t),
+            Line::Straight([from, to], _) => {
+                Point { r: from.r + t * (to.r - from.r), z: from.z + t * (to.z - from.z) }
+            }
+        }
     }
 
-    /// The segments that share heights with a range; the first and the last one stand for what lies beyond.
-    fn at_heights(&self, heights: Range) -> &[Segment] {
-        let last = self.segments.len() - 1;
-        let first = self.segments.partition_point(|segment| segment.z[1] < heights.0).min(last);
-        let end = self.segments.partition_point(|segment| segment.z[0] <= heights.1).max(first + 1);
-        &self.segments[first..end]
+    fn stretch(&self, part: &Part) -> Stretch {
+        match part.line {
+            Line::Piece(i) => Stretch::new(&self.section.pieces[i], part.t),
+            Line::Straight([from, to], _) => Stretch::new(&Piece::line(from, to), part.t),
+        }
     }
 
-    /// A range of heights in a segment's parameter, rounded outwards; cut off at its ends, but not at the
-    /// whole curve's.
-    fn parameters(&self, segment: &Segment, heights: Range) -> Range {
-        let [z0, z1] = segment.z;
-        let u = |z: f64| (z - z0) / (z1 - z0);
-        let outwards = |u: f64| 4.0 * f64::EPSILON * (1.0 + u.abs());
-        let ends = self.ends();
-        let (low, high) = (u(heights.0) - outwards(u(heights.0)), u(heights.1) + outwards(u(heights.1)));
-        Range(if z0 == ends.0 { low } else { low.max(0.0) }, if z1 == ends.1 { high } else { high.min(1.0) })
-    }
-
-    /// The slopes of F at heights.
-    fn slopes(&self, heights: Range) -> Range {
-        self.at_heights(heights).iter().fold(Range::NONE, |range, segment| {
-            let [z0, z1] = segment.z.map(Ball::exact);
-            let b = segment.b.map(Ball::exact);
-            let third = (z1 - z0) / 3.0;
-            let slope = [b[1] - b[0], b[2] - b[1], b[3] - b[2]].map(|difference| difference.over(third));
-            let Range(low, high) = self.parameters(segment, heights);
-            range.and(Range::of(&restrict(&slope, low, high)))
+    /// The largest β for which all of a part is known to be on the side, and to which one may pass from the β before
+    /// it without leaving that side.
+    fn reach(&self, part: &Part, by: f64, side: Side, before: Option<f64>) -> Option<f64> {
+        let [a, b] = part.d;
+        let is_long = part.t[1] - part.t[0] > LONG;
+        if is_long && !(a[0] * b[0] + a[1] * b[1] >= NEAR) {
+            return None;
+        }
+        let stretch = self.stretch(part);
+        let sign = if side == Side::Outside { by } else { -by };
+        // Where parallels fold they do so within B.
+        let [from, to] = part.t.map(|t| self.at(part, t));
+        let some = if is_long || from.distance(to) > 0.5 * by { 1 } else { REACHES.len() };
+        REACHES[..some].iter().copied().find(|reach| {
+            self.is_on(&stretch.parallel(part.d, sign * reach), &stretch.w, side)
+                && before
+                    .is_none_or(|before| before == *reach || self.passes(part, [before, *reach], sign, side))
         })
     }
 
-    /// The radii of the segments at heights that are within their ends.
-    fn radii(&self, heights: Range) -> Range {
-        let ends = self.ends();
-        let heights = Range(heights.0.max(ends.0), heights.1.min(ends.1));
-        let squares = self.at_heights(heights).iter().fold(Range::NONE, |range, segment| {
-            let Range(low, high) = self.parameters(segment, heights);
-            range.and(Range::of(&restrict(&segment.b.map(Ball::exact), low.max(0.0), high.min(1.0))))
-        });
-        roots(squares)
-    }
-
-    /// A bound of the distance over the interval, or infinity if none is found.
-    fn inner(&self, a: Cut, b: Cut) -> f64 {
-        // An interval ends where its piece does: the middle lies in it.
-        let (i, _) = self.piece(0.5 * (a.s + b.s));
-        let stretch = Stretch::new(&self.section.pieces[i], a.s - i as f64, b.s - i as f64);
-        match (a.direction, b.direction) {
-            (Direction::Level, Direction::Level) => self.level(&stretch),
-            _ => self.along(&stretch, [a.direction, b.direction]),
-        }
-    }
-
-    /// g = F − r² over a stretch.
-    fn gap(&self, stretch: &Stretch) -> Range {
-        let segments = self.at_heights(stretch.heights());
-        segments.iter().map(|segment| stretch.gap(segment)).fold(Range::NONE, Range::and)
-    }
-
-    /// At one height: |g|/(r + √F), or either radius.
-    fn level(&self, stretch: &Stretch) -> f64 {
-        let (heights, radii) = (stretch.heights(), stretch.radii());
-        let ends = self.ends();
-        if !(heights.0 >= ends.0 && heights.1 <= ends.1) {
-            return f64::INFINITY;
-        }
-        let fitted = self.radii(heights);
-        let by_gap = (self.gap(stretch).magnitude() / (radii.0 + fitted.0).next_down()).next_up();
-        let either = radii.1.max(fitted.1);
-        if by_gap >= 0.0 { by_gap.min(either) } else { either }
-    }
-
-    /// Along lines between two directions: |g|/m, or as far as it is to a step.
-    fn along(&self, stretch: &Stretch, directions: [Direction; 2]) -> f64 {
-        let (heights, radii, gap, ends) =
-            (stretch.heights(), stretch.radii(), self.gap(stretch), self.ends());
-        let mut bound = 0.0;
-        for _ in 0..7 {
-            let Some(found) = self.within(bound, directions, heights, radii, gap) else {
-                return f64::INFINITY;
-            };
-            if found <= bound {
-                // What lies beyond the ends by rounding.
-                let beyond = (ends.0 - heights.0).max(heights.1 - ends.1).max(0.0);
-                return (found + beyond).next_up();
-            }
-            bound = if bound == 0.0 { found * (1.0 + 1e-9) } else { 1.1 * found };
-        }
-        f64::INFINITY
-    }
-
-    /// The bound that holds as long as it is not above `by`, if lines so long stay where the rules hold.
-    fn within(
-        &self,
-        by: f64,
-        directions: [Direction; 2],
-        heights: Range,
-        radii: Range,
-        gap: Range,
-    ) -> Option<f64> {
-        let ends = self.ends();
-        let reach = heights.wider(by);
-        let beyond = [reach.0 < ends.0, reach.1 > ends.1];
-        let at_step = [0, 1].map(|tip| beyond[tip] && self.steps[tip]);
-        let first = &self.segments[0];
-        let last = &self.segments[self.segments.len() - 1];
-        // Beyond a pole F falls through zero, and H has no zero any more.
-        let low =
-            !beyond[0] || at_step[0] || first.b[0] == 0.0 && self.slopes(Range(reach.0, ends.0)).0 > 0.0;
-        let high =
-            !beyond[1] || at_step[1] || last.b[3] == 0.0 && self.slopes(Range(ends.1, reach.1)).1 < 0.0;
-        if !(low && high) {
-            return None;
-        }
-        let clipped = Range(
-            if at_step[0] { reach.0.max(ends.0) } else { reach.0 },
-            if at_step[1] { reach.1.min(ends.1) } else { reach.1 },
-        );
-        let slopes = self.slopes(clipped);
-        let rises = slopes.0 > 0.0;
-        if (at_step[0] || at_step[1]) && !rises && !(slopes.1 < 0.0) {
-            return None;
-        }
-        // The gradient of H is (−2r, F′).
-        let vectors = directions.map(|direction| direction.vector(slopes.0));
-        let wider = radii.wider(by);
-        let growth = vectors.map(|[dr, dz]| Range::least_sum(-2.0 * dr, wider, dz, slopes));
-        // Directions are unit vectors to within rounding.
-        let least = growth[0].min(growth[1]) * (1.0 - 8.0 * f64::EPSILON);
-        if !(least > 0.0) {
-            return (gap.0 == 0.0 && gap.1 == 0.0).then_some(0.0);
-        }
-        // Lines along d where H < 0, against it where H > 0: upwards or downwards as F rises or falls.
-        let [mut along, mut against] = [-gap.0, gap.1].map(|gap| (gap.max(0.0) / least).next_up());
-        for tip in [0, 1] {
-            if !at_step[tip] {
-                continue;
-            }
-            // Lines to the step must not lean away from it.
-            let upright = vectors.map(|[_, dz]| if rises { dz } else { -dz });
-            let least = upright[0].min(upright[1]);
-            if !(least >= 0.0) {
-                return None;
-            }
-            let height = if tip == 0 { heights.1 - ends.0 } else { ends.1 - heights.0 };
-            // To the step, or no farther than the corner where the segments end: what lines meet is as near.
-            let to_end =
-                self.radii(if tip == 0 { Range(ends.0, heights.1) } else { Range(heights.0, ends.1) });
-            let across = (radii.1 - to_end.0).max(to_end.1 - radii.0).max(0.0);
-            let along_line = if least > 0.0 { height / least } else { f64::INFINITY };
-            let to_step = along_line.min(height.hypot(across)).next_up();
-            let goes = if (tip == 1) == rises { &mut along } else { &mut against };
-            *goes = goes.min(to_step);
-            // The step ends with the section, which must not lie beyond.
-            let end = if tip == 0 { self.section.low.at.r } else { self.section.high.at.r };
-            let inwards = (tip == 1) != rises;
-            let past = if inwards { end - radii.0 } else { radii.1 - end };
-            *goes += past.max(0.0);
-        }
-        Some(along.max(against))
-    }
-
-    /// A bound for what lies between a cut and the section's upper or lower end.
-    fn tip(&self, cut: Cut, upper: bool) -> f64 {
-        let near = self.inner(cut, cut);
-        if !near.is_finite() {
-            return f64::INFINITY;
-        }
-        let (i, t) = self.piece(cut.s);
-        let pieces = &self.section.pieces;
-        let stretches: Vec<Stretch> = if upper {
-            let whole = pieces[i + 1..].iter().map(|piece| Stretch::new(piece, 0.0, 1.0));
-            core::iter::once(Stretch::new(&pieces[i], t, 1.0)).chain(whole).collect()
-        } else {
-            let whole = pieces[..i].iter().map(|piece| Stretch::new(piece, 0.0, 1.0));
-            whole.chain([Stretch::new(&pieces[i], 0.0, t)]).collect()
+    /// Whether the line from one β to another, at the beginning of a part, stays on the side.
+    fn passes(&self, part: &Part, reaches: Vector, sign: f64, side: Side) -> bool {
+        let [d, _] = part.d;
+        let at = self.at(part, part.t[0]);
+        let steps = 16;
+        let on = |i: i32| {
+            let reach = sign * (reaches[0] + (reaches[1] - reaches[0]) * f64::from(i) / f64::from(steps));
+            Point { r: at.r + reach * d[0], z: at.z + reach * d[1] }
         };
-        let around = |range: fn(&Stretch) -> Range| stretches.iter().map(range).fold(Range::NONE, Range::and);
-        let (drawn_z, drawn_r) = (around(Stretch::heights), around(Stretch::radii));
-        let point = Stretch::new(&pieces[i], t, t);
-        let (cut_z, cut_r) = (point.heights().wider(near), point.radii().wider(near));
-        let ends = self.ends();
-        let end_z = if upper { ends.1 } else { ends.0 };
-        let fitted_z = cut_z.and(Range(end_z, end_z));
-        let end = if upper { self.section.high.at } else { self.section.low.at };
-        let end_r = Range(end.r, end.r);
-        // A step leads from the end of the segments to that of the section.
-        let step = self.steps[usize::from(upper)];
-        let fitted_end_r = if step { end_r } else { self.radii(Range(end_z, end_z)) };
-        let fitted_r = self.radii(fitted_z).and(fitted_end_r).and(cut_r);
-
-        let (all_z, all_r) = (drawn_z.and(fitted_z), drawn_r.and(fitted_r));
-        // What each curve is sure to cross, from the far end of the cut to its own end.
-        let across = |cut: Range, end: Range| Range(cut.1.min(end.1), cut.0.max(end.0));
-        let beyond =
-            |all: Range, crossed: Range| (all.1 - crossed.1).max(crossed.0 - all.0).max(0.0).next_up();
-        let crossed_r =
-            beyond(drawn_r, across(cut_r, fitted_end_r)).max(beyond(fitted_r, across(cut_r, end_r)));
-        let crossed_z = beyond(drawn_z, across(cut_z, Range(end_z, end_z)))
-            .max(beyond(fitted_z, across(cut_z, Range(end.z, end.z))));
-        let flat = crossed_r.hypot(all_z.width());
-        let steep = crossed_z.hypot(all_r.width());
-        let small = all_r.width().hypot(all_z.width());
-        flat.min(steep).min(small) * (1.0 + 4.0 * f64::EPSILON)
+        (0..steps).all(|i| {
+            let line = Stretch::new(&Piece::line(on(i), on(i + 1)), [0.0, 1.0]);
+            self.is_on(&line.parallel([[0.0; 2]; 2], 0.0), &line.w, side)
+        })
     }
+
+    /// Whether all of a parallel lies on one side of the continued fitted curve.
+    fn is_on(&self, parallel: &Parallel, w: &[Ball], side: Side) -> bool {
+        let Range(low, high) = parallel.heights;
+        let bottom = self.ends[0].fitted.z;
+        let top = self.ends[1].fitted.z;
+        if !(low < f64::INFINITY && high > f64::NEG_INFINITY) {
+            return false;
+        }
+        let beside_segments = high < bottom || low > top || {
+            let is_in_axis = side == Side::Inside && parallel.radii.1 < 0.0;
+            let is_off_axis = parallel.radii.0 > 0.0 || side == Side::Inside;
+            is_in_axis
+                || is_off_axis
+                    && self.at_heights(Range(low, high)).iter().all(|segment| {
+                        let Range(least, most) = gap(parallel, w, segment);
+                        if side == Side::Inside { least > 0.0 } else { most < 0.0 }
+                    })
+        };
+        let beside = |end: &End| {
+            let slope = end.ray[0] / end.ray[1];
+            // w·(r − the ray's r at that height).
+            let rise = sum(&parallel.z, &scale(w, Ball::exact(-end.fitted.z)));
+            let ray = sum(&scale(w, Ball::exact(end.fitted.r)), &scale(&rise, Ball::exact(slope)));
+            let Range(least, most) = Range::of(sum(&parallel.radius, &scale(&ray, Ball::exact(-1.0))));
+            if side == Side::Inside { most < 0.0 } else { least > 0.0 }
+        };
+        beside_segments && (low > bottom || beside(&self.ends[0])) && (high < top || beside(&self.ends[1]))
+    }
+
+    /// The segments that share heights with a range.
+    fn at_heights(&self, Range(low, high): Range) -> &[Segment] {
+        let last = self.segments.len() - 1;
+        let first = self.segments.partition_point(|segment| segment.z[1] < low).min(last);
+        let end = self.segments.partition_point(|segment| segment.z[0] <= high).max(first + 1);
+        &self.segments[first..end]
+    }
+}
+
+/// At so many places less one the distance is measured.
+const MEASURED_AT: usize = 200;
+
+/// w³·(F − r²), where F is a segment's cubic.
+fn gap(parallel: &Parallel, w: &[Ball], segment: &Segment) -> Range {
+    let [b0, b1, b2, b3] = segment.b.map(Ball::exact);
+    let three = Ball::exact(3.0);
+    let (f1, f2) = (three * (b1 - b0), three * (b2 - b1 - b1 + b0));
+    let f3 = b3 - b0 - three * (b2 - b1);
+    let [z0, z1] = segment.z.map(Ball::exact);
+    let height = z1 - z0;
+    // w·u, u the segment's parameter.
+    let u = sum(&parallel.z, &scale(w, -z0));
+    let u: Vec<Ball> = u.into_iter().map(|u| u.over(height)).collect();
+    let (u2, w2) = (product(&u, &u), product(w, w));
+    let w3 = product(&w2, w);
+    let low = sum(&scale(&w3, b0), &scale(&product(&u, &w2), f1));
+    let high = sum(&scale(&product(&u2, w), f2), &scale(&product(&u2, &u), f3));
+    Range::of(sum(&sum(&low, &high), &scale(&parallel.square, Ball::exact(-1.0))))
 }

@@ -28,13 +28,17 @@ impl Origin {
     }
 }
 
-/// A body as a `static` inside `valid!`, with a comment of its name, its source, its tolerance and its proven error.
+/// A body as a `static`, one solid, its numbers inside `valid!`, with a comment of its name, its source, its tolerance and its proven error.
 /// It compiles after `use embedded_lathe::*;`.
 pub fn source(body: &Body, origin: &Origin) -> String {
     let mut text = String::new();
     let unit = origin.unit.symbol();
     let segments = body.segments();
-    let _ = writeln!(text, "// {}, from {}: {segments} segments.", origin.name, origin.source);
+    let sheets = match body.sheets.len() {
+        1 => String::new(),
+        count => format!(" in {count} sheets"),
+    };
+    let _ = writeln!(text, "// {}, from {}: {segments} segments{sheets}.", origin.name, origin.source);
     let _ = writeln!(
         text,
         "// Within {:?}{unit} of the drawing; proven for these numbers: {:.3e}{unit}.",

@@ -52,14 +52,12 @@ pub enum OutlineError {
     Tolerance(f64),
     /// The tolerance is finer than what f32 can say about numbers of this size, or the outline has a place
     /// that no cubic follows.
-    #[error("no segments within {tolerance} between the heights {} and {}: the nearest found are off by up to {reached}", between[0], between[1])]
+    #[error("no segments are proven to be within {tolerance} of the outline about height {height}")]
     OutOfReach {
         /// What was asked for.
         tolerance: f64,
-        /// Between which heights.
-        between: [f64; 2],
-        /// The error proven for the nearest.
-        reached: f64,
+        /// At about which height.
+        height: f64,
     },
     /// The fits of two walls cross, though the walls do not: they come nearer to each other than the tolerance.
     #[error(

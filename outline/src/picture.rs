@@ -102,9 +102,10 @@ impl View {
 }
 
 fn rendered(body: &Body, view: &View, size: u32) -> Result<Pixmap, PictureError> {
-    let lathes = Profiles::of(body).turned::<SEGMENTS>()?;
-    let solids: Vec<Solid> =
-        lathes.iter().map(|lathe| Solid::new(lathe, Rgb::new(0.85, 0.45, 0.3))).collect();
+    let profiles = Profiles::of(body);
+    let lathes = profiles.turned::<SEGMENTS>()?;
+    let sheets = profiles.sheets(&lathes);
+    let solids = [Solid::body(&sheets, Rgb::new(0.85, 0.45, 0.3))?];
     let (middle, half) = (view.middle as f32, view.half as f32);
     let eye = [0.0, -4.0 * half, middle];
     let camera = Camera::orthographic(eye, [0.0, 0.0, middle], [0.0, 0.0, 1.0], half)?;

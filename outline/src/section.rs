@@ -1,12 +1,13 @@
-//! The smooth stretches of a wall, from corner to corner, and the places in them where knots may lie.
+//! The stretches of a wall that are fitted as one, from one level place or pole to the next, and the places in them
+//! where knots may lie.
 
 use crate::{
     piece::{Jet, Piece, Point},
     walls::Wall,
 };
 
-/// A stretch of a wall, from its lower end to its upper one, without a corner and with no level tangent except
-/// at its ends.
+/// A stretch of a wall, from its lower end to its upper one, off the axis and with no level tangent except at its
+/// ends. It may have corners.
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
     pub pieces: Vec<Piece>,
@@ -26,6 +27,24 @@ pub(crate) struct Tip {
     pub leans: f64,
 }
 
+impl Tip {
+    /// How a curve that ends there is continued, for what its sides are: a slope of radius over height. Upright,
+    /// or 14° off as the tip leans where it is level, and towards the other side of the axis at a pole.
+    pub fn ray(&self, upper: bool) -> f64 {
+        match self {
+            Self { at: Point { r: 0.0, .. }, .. } => {
+                if upper {
+                    -0.25
+                } else {
+                    0.25
+                }
+            }
+            Self { level: true, leans, .. } => 0.25 * leans,
+            _ => 0.0,
+        }
+    }
+}
+
 /// Tangents that differ by no more (in radians) join smoothly.
 const SMOOTH: f64 = 1e-3;
 
@@ -42,7 +61,7 @@ pub(crate) fn sections(wall: &Wall) -> Vec<Section> {
         let (start, end) = (piece.jet(0.0), piece.jet(1.0));
         let high = Tip { at: piece.end(), level: is_level(&end), step: true, leans: end.dr.signum() };
         match sections.last_mut() {
-            Some(section) if joins(&section.pieces[section.pieces.len() - 1], &start) => {
+            Some(section) if joins(&section.pieces[section.pieces.len() - 1], piece) => {
                 section.pieces.push(piece.clone());
                 section.high = high;
             }
@@ -64,11 +83,31 @@ fn is_level(jet: &Jet) -> bool {
     }
 }
 
-/// Whether a piece that ends where the next one begins does so smoothly, off the axis, and not level.
-fn joins(piece: &Piece, next: &Jet) -> bool {
-    let end = piece.jet(1.0);
-    let (cross, dot) = (end.dr * next.dz - end.dz * next.dr, end.dr * next.dr + end.dz * next.dz);
-    end.r > 0.0 && cross.atan2(dot).abs() <= SMOOTH && !is_flat(&end) && !is_flat(next)
+/// Whether a piece that ends where the next one begins does so off the axis, and neither is level there. A piece
+/// between corners that is so low that its ends are one height in f32 stays apart: it becomes a flat.
+fn joins(piece: &Piece, next: &Piece) -> bool {
+    let (end, start) = (piece.jet(1.0), next.jet(0.0));
+    let is_merged = |piece: &Piece| piece.start().z as f32 == piece.end().z as f32;
+    let stays_apart = (is_merged(piece) || is_merged(next)) && is_corner(piece, next);
+    end.r > 0.0 && !is_flat(&end) && !is_flat(&start) && !stays_apart
+}
+
+/// Whether the tangents differ where one piece ends and the next one begins.
+fn is_corner(piece: &Piece, next: &Piece) -> bool {
+    let [below, above] = [normal(piece, 1.0), normal(next, 0.0)].map(|[r, z]| z.atan2(r));
+    !((below - above).abs() <= SMOOTH)
+}
+
+/// The unit normal of a piece that rises, away from the axis. Where the piece stands still in its parameter, that
+/// of a place close by.
+pub(crate) fn normal(piece: &Piece, t: f64) -> [f64; 2] {
+    let size = piece.start().distance(piece.end());
+    let mut jet = piece.jet(t);
+    if !(jet.dr.hypot(jet.dz) > 1e-9 * size) {
+        jet = piece.jet(t + if t < 0.5 { 1e-5 } else { -1e-5 });
+    }
+    let length = jet.dr.hypot(jet.dz);
+    if length > 0.0 { [jet.dz / length, -jet.dr / length] } else { [1.0, 0.0] }
 }
 
 /// Whether the tangent is level.
@@ -90,28 +129,43 @@ pub(crate) struct Place {
     pub s: f64,
     pub r: f64,
     pub z: f64,
-    /// r² and its slope over height.
+    /// r².
     pub f: f64,
-    pub slope: f64,
-    /// The unit normal that points away from the axis.
-    pub normal: Point,
+    /// The slope of r² over height, below and above: two numbers at a corner.
+    pub slopes: [f64; 2],
+    /// The unit normal that points away from the axis; at a corner the direction between both normals.
+    pub normal: [f64; 2],
+    /// Whether there is a corner.
+    pub is_corner: bool,
 }
 
 impl Section {
     /// The place at s, the number of a piece plus its t.
     pub fn place(&self, s: f64) -> Place {
         let i = (s.max(0.0) as usize).min(self.pieces.len() - 1);
-        let jet = self.pieces[i].jet(s - i as f64);
-        let length = jet.dr.hypot(jet.dz).max(f64::MIN_POSITIVE);
-        let normal = Point { r: jet.dz / length, z: -jet.dr / length };
-        Place { s, r: jet.r, z: jet.z, f: jet.f, slope: jet.slope, normal }
+        let t = s - i as f64;
+        let jet = self.pieces[i].jet(t);
+        let own = normal(&self.pieces[i], t);
+        let mut place =
+            Place { s, r: jet.r, z: jet.z, f: jet.f, slopes: [jet.slope; 2], normal: own, is_corner: false };
+        if t == 0.0 && i > 0 {
+            let below = &self.pieces[i - 1];
+            if is_corner(below, &self.pieces[i]) {
+                let angles = [normal(below, 1.0), own].map(|[r, z]| z.atan2(r));
+                let (sin, cos) = (0.5 * (angles[0] + angles[1])).sin_cos();
+                place.normal = [cos, sin];
+                place.slopes[0] = below.jet(1.0).slope;
+                place.is_corner = true;
+            }
+        }
+        place
     }
 
     /// Places for knots, `count` of them or a few more, evenly in each piece's parameter and ever closer
     /// together towards the section's ends; between two of them [`SAMPLES`] − 1 places more.
     pub fn places(&self, count: usize) -> Vec<Place> {
         let n = self.pieces.len();
-        let each = (count / n).max(4);
+        let each = (count / n).max(if n > MANY { 4 } else { 16 });
         let mut at: Vec<f64> =
             (0..n * each).map(|i| (i / each) as f64 + (i % each) as f64 / each as f64).collect();
         at.push(n as f64);
@@ -129,6 +183,9 @@ impl Section {
         places
     }
 }
+
+/// A section of more pieces has a few places for knots in each.
+const MANY: usize = 200;
 
 /// How many steps there are from one place for a knot to the next.
 pub(crate) const SAMPLES: usize = 4;

@@ -15,21 +15,22 @@ pub struct Segment {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Knot {
     pub z: f64,
-    /// The squared radius and its slope over height.
+    /// The squared radius.
     pub f: f64,
-    pub slope: f64,
+    /// Its slope over height, below and above: two numbers at a corner.
+    pub slopes: [f64; 2],
 }
 
 impl Segment {
     /// The one with these values and slopes at its ends.
     pub(crate) fn between(low: Knot, high: Knot) -> Self {
         let third = (high.z - low.z) / 3.0;
-        let b = [low.f, low.f + third * low.slope, high.f - third * high.slope, high.f];
+        let b = [low.f, low.f + third * low.slopes[1], high.f - third * high.slopes[0], high.f];
         Self { z: [low.z, high.z], b }
     }
 
     /// The one between two heights that passes through four knots, which lie from the lowest up; two that are one
-    /// stand for its value and its slope. `None` where they are no four conditions.
+    /// stand for its value and its slope, at either end the one towards the other. `None` where they are no four conditions.
     pub(crate) fn through(knots: [Knot; 4], z: [f64; 2]) -> Option<Self> {
         let at = knots.map(|knot| knot.z);
         let mut differences = knots.map(|knot| knot.f);
@@ -37,7 +38,7 @@ impl Segment {
         for level in 1..4 {
             for i in (level..4).rev() {
                 differences[i] = if at[i] == at[i - level] {
-                    knots[i].slope
+                    knots[i].slopes[usize::from(i < 2)]
                 } else {
                     (differences[i] - differences[i - 1]) / (at[i] - at[i - level])
                 };
@@ -47,7 +48,7 @@ impl Segment {
         let knot = |z: f64| {
             let [x0, x1, x2] = [z - at[0], z - at[1], z - at[2]];
             let slope = d1 + d2 * (x0 + x1) + d3 * (x0 * x1 + x0 * x2 + x1 * x2);
-            Knot { z, f: d0 + x0 * (d1 + x1 * (d2 + x2 * d3)), slope }
+            Knot { z, f: d0 + x0 * (d1 + x1 * (d2 + x2 * d3)), slopes: [slope; 2] }
         };
         let segment = Self::between(knot(z[0]), knot(z[1]));
         (segment.b.iter().all(|b| b.is_finite()) && at.is_sorted()).then_some(segment)

@@ -3,11 +3,10 @@
 use crate::{
     axis::{self, Half},
     body::{Body, Shape, Sheet, Side},
-    certificate,
     crossing::{self, Strand},
     cusps,
     error::{OutlineError, Warning},
-    fit,
+    fit::{self, Fitted},
     outline::Outline,
     piece::{Piece, Point},
     section::{self, Section, Tip},
@@ -303,7 +302,7 @@ fn fit_wall(
             error = error.max(rounding(heights[0]) + heights[1] - heights[0]);
             continue;
         }
-        let (segments, steps, proven) = fit_section(section, fit)?;
+        let Fitted { segments, steps, error: proven } = fit_section(section, fit)?;
         error = error.max(proven);
         fitted.stretches.push(segments);
         fitted.steps[0] |= i == 0 && steps[0];
@@ -313,38 +312,20 @@ fn fit_wall(
 }
 
 /// The fewest segments whose rounded numbers are proven to be within the tolerance.
-fn fit_section(section: &Section, fit: &Fit) -> Result<(Vec<Segment>, [bool; 2], f64), OutlineError> {
-    let mut reached = f64::INFINITY;
+fn fit_section(section: &Section, fit: &Fit) -> Result<Fitted, OutlineError> {
     let without_steps = Section {
         pieces: section.pieces.clone(),
         low: Tip { step: false, ..section.low },
         high: Tip { step: false, ..section.high },
     };
     // If steps do not do, without.
-    for section in [section, &without_steps] {
-        // Distances are sampled, and to first order, before they are proven.
-        let mut aim = 0.98 * fit.tolerance;
-        for tries in 0..TRIES {
-            let Some(fitted) = fit::fewest(section, aim, fit.places) else { break };
-            let segments: Vec<Segment> = fitted.segments.iter().map(Segment::rounded).collect();
-            if segments.iter().any(|segment| segment.z[0] >= segment.z[1]) {
-                break;
-            }
-            let error = certificate::distance(section, &segments, fitted.steps, fit.tolerance);
-            if error <= fit.tolerance {
-                return Ok((segments, fitted.steps, error));
-            }
-            reached = reached.min(error);
-            // A proof may miss by little what it would take a far tighter fit to mend.
-            aim *= (0.98 * fit.tolerance / error).clamp(0.6, 0.98) * 0.97f64.powi(tries);
-        }
-    }
-    let between = [section.low.at.z, section.high.at.z];
-    Err(OutlineError::OutOfReach { tolerance: fit.tolerance / SHARE, between, reached })
+    let fitted = fit::fewest(section, fit.tolerance, fit.places)
+        .or_else(|_| fit::fewest(&without_steps, fit.tolerance, fit.places));
+    fitted.map_err(|s| OutlineError::OutOfReach {
+        tolerance: fit.tolerance / SHARE,
+        height: section.place(s).z,
+    })
 }
-
-/// How often a section is fitted more tightly because the proof missed the tolerance.
-const TRIES: i32 = 10;
 
 /// The height at which fitted walls cross, if they do.
 fn walls_meet(sheets: &[Sheet]) -> Option<f64> {

@@ -1,6 +1,5 @@
-//! The drawings of `examples/outlines`: the numbers beside them are those that come out, and compile.
+//! The drawings of `examples/outlines`: the numbers beside them are those that come out.
 
-use embedded_lathe::{Lathe, Solid};
 use embedded_lathe_outline::{
     Body, Fit, Origin, Outline, body, png,
     read::{self, Options},
@@ -61,38 +60,4 @@ fn write() {
         fs::write(folder(&format!("docs/outlines/{}.png", entry.2)), png(&body, &outline, 320).unwrap())
             .unwrap();
     }
-}
-
-/// As whoever pastes them has them: errors would stop the compilation.
-mod pasted {
-    macro_rules! pasted {
-        ($($name:ident $file:literal),*) => {
-            $(pub mod $name {
-                #[allow(unused_imports)]
-                use embedded_lathe::{Lathe, Profile, Rgb, Segment, Solid, valid};
-                include!(concat!("../../examples/outlines/", $file));
-            })*
-        };
-    }
-    pasted!(
-        wine_glass "wine-glass.rs", bottle "bottle.rs", pawn "pawn.rs", queen "queen.rs", bulb_glass "bulb-glass.rs",
-        bulb_base "bulb-base.rs", bowl "bowl.rs", bell "bell.rs", knob "knob.rs", ring "ring.rs"
-    );
-}
-
-#[test]
-fn what_is_pasted_is_as_large_as_the_drawing() {
-    assert_eq!(pasted::knob::KNOB.len(), 2);
-    let [outside, inside] = &pasted::wine_glass::WINE_GLASS;
-    assert!((outside.lathe().largest_radius() - 31.86).abs() < 0.2 && inside.lathe().largest_radius() < 31.5);
-    assert_eq!(pasted::bottle::BOTTLE[1].lathe().heights(), [0.0, 128.0]);
-    let several: [&[Solid]; 3] = [&pasted::ring::RING, &pasted::bell::BELL, &pasted::bowl::BOWL];
-    let one: [&Lathe; 4] = [
-        &pasted::pawn::PAWN,
-        &pasted::bulb_glass::BULB_GLASS,
-        &pasted::bulb_base::BULB_BASE,
-        pasted::queen::QUEEN[0].lathe(),
-    ];
-    let all = several.into_iter().flatten().map(Solid::lathe).chain(one);
-    assert_eq!(all.filter(|lathe| lathe.segments() > 0).count(), 11);
 }

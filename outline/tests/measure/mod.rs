@@ -1,6 +1,58 @@
 //! What the tests measure a body with: points on it and on the drawing, and nothing of the proof.
 
+#![allow(dead_code)] // Not every test file uses all of it.
+
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use embedded_lathe::{Background, Camera, Light, Rgb, Scene, Solid};
 use embedded_lathe_outline::{Body, Outline, Point, Sheet, point};
+
+/// Compares a picture of a solid, drawn by rows and seen from the side, with the drawn outline: a pixel shows the solid if
+/// its center is within the outline, and does not if it is beside it, unless it is no farther from the
+/// outline than the tolerance. Returns how many pixels show it and how many do not.
+pub fn silhouette(solid: &Solid, outline: &Outline, tolerance: f64, name: &str) -> [usize; 2] {
+    const SIZE: u32 = 200;
+    let [low, high] = outline.bounds();
+    let half = (1.1 * high.r.max(0.5 * (high.z - low.z))) as f32;
+    let middle = (0.5 * (low.z + high.z)) as f32;
+    let eye = [0.0, -4.0 * half, middle];
+    let camera = Camera::orthographic(eye, [0.0, 0.0, middle], [0.0, 0.0, 1.0], half).expect("a camera");
+    // Lit from the eye, with all light from everywhere: what shows the solid is white.
+    let light = Light::new([0.0, -1.0, 0.0], 1.0).expect("a light");
+    let solids = [solid.colored(Rgb::WHITE)];
+    let scene =
+        Scene::new(&solids, camera, light).with_background(Background::Plain(Rgb::new(0.0, 0.0, 0.0)));
+    let picture = scene.picture(SIZE, SIZE);
+    let line = drawn(outline, 400);
+    let lines = [line.clone()];
+    // 4 units of 2⁻²⁴·(the solid's size + the camera's distance) are what the crate promises of a ray beside a silhouette;
+    // 4 more for the numbers of the ray itself. What chords of the line are off by is below a 10⁻⁶ of the size.
+    let size = f64::from(half);
+    let within = tolerance + 8.0 * 6.0 * size / 16_777_216.0 + 2e-6 * size;
+    let mut row = vec![Gray8::new(0); SIZE as usize];
+    let mut counts = [0; 2];
+    for y in 0..SIZE {
+        picture.row(y, &mut row);
+        let at = |i: u32| f64::from(half) * (2.0 * (f64::from(i) + 0.5) / f64::from(SIZE) - 1.0);
+        let z = f64::from(middle) - at(y);
+        // From the side a solid is as wide as the widest of what it is at that height.
+        let crossings = line.windows(2).filter(|p| (p[0].z - z) * (p[1].z - z) <= 0.0 && p[0].z != p[1].z);
+        let radii = crossings.map(|p| p[0].r + (p[1].r - p[0].r) * (z - p[0].z) / (p[1].z - p[0].z));
+        let widest = radii.fold(0.0, f64::max);
+        for (x, pixel) in (0..SIZE).zip(&row) {
+            let shows = pixel.luma() > 127;
+            counts[usize::from(!shows)] += 1;
+            let r = at(x).abs();
+            if shows != (r < widest) {
+                let (off, _) = farthest(&[point(r, z)], &lines);
+                assert!(
+                    off <= within,
+                    "{name}: pixel {x}, {y}, radius {r}, height {z}: {shows}, {off} from the outline"
+                );
+            }
+        }
+    }
+    counts
+}
 
 /// The drawing in many points.
 pub fn drawn(outline: &Outline, each: usize) -> Vec<Point> {

@@ -56,8 +56,8 @@ const SCENES: [(&str, &Scene); 10] = [
 
 /// Shoulders, walls with thickness, solids that no plane parts: not where floats are slow.
 #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
-const SHAPES: [(&str, &Scene); 15] = {
-    use scenes::shapes::{BOWLS, BOWLS_BALL, CROSSINGS, RISERS, STEPPED};
+const SHAPES: [(&str, &Scene); 16] = {
+    use scenes::shapes::{BOWLS, BOWLS_BALL, CROSSINGS, PAWN_OF_SHEETS, RISERS, STEPPED};
     [
         ("knob with a step", &STEPPED),
         ("knob with a riser of 1e-2", &RISERS[0]),
@@ -68,6 +68,7 @@ const SHAPES: [(&str, &Scene); 15] = {
         ("inner wall", &BOWLS[1]),
         ("outer and inner wall", &BOWLS[2]),
         ("ball of the bowl", &BOWLS_BALL),
+        ("pawn of six sheets", &PAWN_OF_SHEETS),
         ("one rippled solid", &CROSSINGS[0]),
         ("two through one another", &CROSSINGS[1]),
         ("three through one another", &CROSSINGS[2]),
@@ -103,6 +104,10 @@ pub fn measured() {
     for (name, scene) in SHAPES {
         frame::<Usual>(name, scene, || rows::<Usual>(scene, &mut row));
     }
+    #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
+    frame::<Usual>("sheets of the pawn, a picture each", &scenes::shapes::PAWN_OF_SHEETS, || {
+        scenes::shapes::SHEETS_OF_PAWN.iter().for_each(|scene| rows::<Usual>(scene, &mut row));
+    });
     let vase = &scenes::VASE_SCENE;
     frame::<Usual>("vase drawn by rows", vase, || draw_by_rows::<Usual>(vase, &mut row));
     frame::<Usual>("vase drawn", vase, || draw::<Usual>(vase));

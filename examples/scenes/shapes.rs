@@ -2,7 +2,8 @@
 
 use super::{BALL, BOWL, BOWL_SCENE, DAYLIGHT, KNOB_SCENE, SKY};
 use embedded_lathe::{
-    Camera, End, Lathe, Pose, Profile, ProfileError, Rgb, Rotation, Scene, SceneError, Segment, Solid, valid,
+    Camera, End, Lathe, Pose, Profile, ProfileError, Rgb, Rotation, Scene, SceneError, Segment, Sheet, Solid,
+    valid,
 };
 
 const fn stepped(riser: f32) -> Result<Profile<4>, ProfileError> {
@@ -68,6 +69,79 @@ pub static BOWLS: [Scene; 3] = [
 /// The ball that lies in the bowl, alone.
 pub static BOWLS_BALL: Scene = BOWL_SCENE.with_solids(&[Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3))
     .posed(valid!(Pose::new([0.1, 0.1, 0.3], Rotation::IDENTITY, 1.0)))]);
+
+const PAWN_BODY: Profile<2> = valid!(Profile::from_squared_radii(
+    &[0.0, 0.0, 0.1, 0.1, 0.5],
+    &[
+        0.0225, // the felt's edge, and a ring around it …
+        0.0484, 0.0484, 0.0484, 0.0484, // … the foot, and its shoulder …
+        0.0361, 0.0209, 0.0105, 0.0049, // … and a cone up to the collar
+    ],
+));
+
+/// A pawn with an undercut collar, a bore in its head and a recess in its foot: body, the collar's underside
+/// and wall, head, bore, recess.
+static PAWN_LATHES: [Lathe<[Segment; 2]>; 6] = {
+    const fn beside(knots: &[f32], ordinates: &[f32], base: End, top: End) -> Lathe<[Segment; 2]> {
+        match Profile::from_squared_radii(knots, ordinates) {
+            Ok(profile) => Lathe::turn_beside(profile.base(base).top(top), &PAWN_BODY),
+            Err(_) => panic!("a sheet of the pawn"),
+        }
+    }
+    const OPEN: End = End::Open;
+    let collar = match Profile::from_squared_radii(
+        &[0.46, 0.46, 0.56, 0.56],
+        &[0.0225, 0.0324, 0.0361, 0.0361, 0.0289, 0.0081],
+    ) {
+        Ok(profile) => Lathe::turn_beside(profile, &PAWN_BODY),
+        Err(_) => panic!("the collar"),
+    };
+    [
+        Lathe::turn(PAWN_BODY),
+        beside(&[0.46, 0.5], &[0.0225, 0.0145, 0.00863, 0.0049], OPEN, OPEN),
+        collar,
+        beside(&[0.56, 0.88], &[0.0081, 0.04, 0.045, 0.0016], OPEN, OPEN),
+        beside(&[0.8, 0.88], &[0.0016; 4], End::Capped, OPEN),
+        beside(&[0.0, 0.05], &[0.0225, 0.0225, 0.02, 0.0169], OPEN, End::Capped),
+    ]
+};
+
+static PAWN_SHEETS: [Sheet; 6] = [
+    Sheet::outer(&PAWN_LATHES[0]),
+    Sheet::inner(&PAWN_LATHES[1]),
+    Sheet::outer(&PAWN_LATHES[2]),
+    Sheet::outer(&PAWN_LATHES[3]),
+    Sheet::inner(&PAWN_LATHES[4]),
+    Sheet::inner(&PAWN_LATHES[5]),
+];
+
+const BOARD_VIEW: Camera =
+    valid!(Camera::perspective([0.0, -1.6, 1.1], [0.0, 0.0, 0.42], [0.0, 0.0, 1.0], 0.32));
+
+const fn of_pawn(solids: &'static [Solid<'static>]) -> Scene<'static> {
+    Scene::new(solids, BOARD_VIEW, DAYLIGHT).with_background(SKY)
+}
+
+const fn pawn_of(sheets: &'static [Sheet<'static>]) -> Result<Solid<'static>, SceneError> {
+    Solid::body(sheets, Rgb::new(0.45, 0.6, 0.45))
+}
+
+/// The pawn of six sheets.
+pub static PAWN_OF_SHEETS: Scene = of_pawn(&[valid!(pawn_of(&PAWN_SHEETS))]);
+
+const fn sheet_of_pawn(sheet: usize) -> Solid<'static> {
+    Solid::new(&PAWN_LATHES[sheet], Rgb::new(0.45, 0.6, 0.45))
+}
+
+/// Each of its sheets alone.
+pub static SHEETS_OF_PAWN: [Scene; 6] = [
+    of_pawn(&[sheet_of_pawn(0)]),
+    of_pawn(&[sheet_of_pawn(1)]),
+    of_pawn(&[sheet_of_pawn(2)]),
+    of_pawn(&[sheet_of_pawn(3)]),
+    of_pawn(&[sheet_of_pawn(4)]),
+    of_pawn(&[sheet_of_pawn(5)]),
+];
 
 const RIPPLES: usize = 12;
 

@@ -354,6 +354,38 @@ fn the_first_of_two_in_one_place_is_seen() {
     assert!(seen > 10_000, "{seen}");
 }
 
+/// Of two solids so near to each other that a row does not know their distances well enough, the same profile
+/// in two sizes, the one is seen that single rays find nearer, to the last bit of their distances. Each solid
+/// is a body of twice the same sheet: to such a body [`Solid::nearest`] casts the rays that a picture compares.
+#[test]
+fn the_nearer_of_two_that_all_but_coincide_is_seen() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1995);
+    let colors = [Rgb::new(0.0, 1.0, 0.0), Rgb::new(1.0, 0.0, 0.0)];
+    let mut row = [Rgb565::BLACK; 60];
+    let (mut both, mut wrong) = (0, 0);
+    for _ in 0..100 {
+        let lathe = random_lathe(&mut rng);
+        let sheets = [Sheet::outer(&lathe); 2];
+        let smaller = 1.0 - 10_f32.powf(even(&mut rng, -7.0, -5.0));
+        let smaller = Pose::new([0.0; 3], Rotation::IDENTITY, smaller).unwrap();
+        let [one, other] = colors.map(|color| Solid::body(&sheets, color).unwrap());
+        let solids = [one, other.posed(smaller)];
+        let light = Light::new([0.0, -1.0, 0.5], 1.0).unwrap();
+        let camera = if rng.random() { random_camera(&mut rng) } else { upright_camera(&mut rng) };
+        let scene = Scene::new(&solids, camera, light);
+        for y in 0..60 {
+            scene.picture(60, 60).row(y, &mut row);
+            for (x, pixel) in (0..).zip(row) {
+                let ray = camera.ray(x, y, 60, 60);
+                let [Some(a), Some(b)] = [0, 1].map(|i| solids[i].nearest(&ray, 0.0)) else { continue };
+                both += 1;
+                wrong += u32::from(pixel != if b.t < a.t { Rgb565::RED } else { Rgb565::GREEN });
+            }
+        }
+    }
+    assert!(wrong == 0 && both > 100_000, "{wrong} of {both}");
+}
+
 /// Three balls as far away, side by side, are all seen.
 #[test]
 fn all_of_three_as_far_away_are_seen() {

@@ -103,6 +103,13 @@ fn conical_poles() {
     horn([-0.14866678, -2.4716709, 1.6911535], [0.05782981, 0.9614443, -0.2688505]);
 }
 
+/// A tip met by a ray along the axis: g is a parabola whose double root is its end, and its rounded values do not reach zero.
+#[test]
+fn a_tip_beside_the_end_of_a_parabola() {
+    let cone = [1.8305972, 0.61019903, 0.0, 0.0];
+    met(&[0.0, 1.6416687], &cone, 1.0, [0.0, 0.0, -4.6322885], [0.0, 0.0, 1.0]);
+}
+
 /// From a seed beside a turning point at 10⁻³⁸ steps that may only double u do not get far enough.
 #[test]
 fn far_from_a_turning_point() {

@@ -56,15 +56,17 @@ impl<M: Math> Solver for Split<M> {
 /// The root, before the last Newton step, by its distance from the critical point that is nearer to it.
 #[inline(always)]
 fn from_turning<M: Math>(g: &Cubic, piece: &Piece) -> Guess {
-    let [.., c3] = g.c;
+    let [.., c2, c3] = g.c;
     let bend = piece.bend;
     let per_bend = 1.0 / bend;
     let ratio = c3 * per_bend;
-    // Between its critical points the cubic falls if c3 > 0, and the minimum is nearer if b² ≤ 2/27.
+    // Between its critical points the cubic falls if c3 > 0, and the minimum is nearer if b² ≤ 2/27. A
+    // parabola with a minimum has no maximum: if it is said to fall from there, its end has another sign than
+    // the rounded values, and the root is within rounding of the minimum.
     let to_minimum = if c3 > 0.0 {
         13.5 * (piece.depth.abs() * ratio) * ratio <= bend
     } else {
-        piece.fall == Fall::ToMinimum
+        piece.fall == Fall::ToMinimum || c3 == 0.0 && c2 > 0.0
     };
     let (from, height, way) = if to_minimum {
         (piece.minimum, piece.depth, -1.0)

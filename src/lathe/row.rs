@@ -1,6 +1,6 @@
-//! The rays of a row of pixels, traversed together: the *sweep*. It hands out *spans* of pixels that are
-//! alike, by a *tracked root* with a *certificate*, by a *probe*, by a cap or a ring, or, one pixel at a time,
-//! by a *single ray*.
+//! The rays of a row of pixels, traversed together: the *sweep*. It divides the row into *spans*, pixels that
+//! are computed in the same way: by a *tracked root* with a *certificate*, by a *probe*, by a cap or a ring,
+//! or, one pixel at a time, by a *single ray*.
 //!
 //! ```text
 //! bounds ─── what is known of all rays, set once

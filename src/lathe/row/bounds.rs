@@ -32,12 +32,12 @@ const ADDITIONS: f32 = TOLERANCE / 16.0;
 const MOST_TOLERANCE: f32 = 0.25;
 
 /// The factor by which the ball around the solid is enlarged, so that a ray outside of it misses by more than
-/// the tolerance. If the ball's own radius is R, at least 1, then outside of the enlarged one
-/// g ≤ −(1.125² − 1)·R² < −0.26, and a usable row's tolerance is below [`MOST_TOLERANCE`].
+/// the tolerance. The ball's own radius R is at least 1. At a point outside of the enlarged ball, at a height
+/// of the solid, g ≤ −(1.125² − 1)·R² < −0.26; and the tolerance of a usable row is below [`MOST_TOLERANCE`].
 const WIDENED: f32 = 1.125;
 
-/// How far along the rays the point where a ray has a given height may move within the pixels that one probe
-/// certifies, in units of [`RowBounds::span`].
+/// Within the pixels that one probe certifies, the point of a given height may move along the rays by this
+/// many times [`RowBounds::span`].
 ///
 /// The value is a choice. If it is larger, a probe may hold for more pixels, but it has to bound g along a
 /// longer part of its ray.
@@ -58,12 +58,14 @@ pub(super) struct RowBounds<'a> {
     pub lathe: View<'a>,
     /// Whether none of the rays comes near the solid.
     pub is_culled: bool,
-    /// Whether the bounds are of use. They are not if the rays spread too wide, begin so far away that
-    /// rounding decides, or if they are parallel and begin near the solid. Then every pixel gets a *single
-    /// ray*.
+    /// Whether the bounds are of use. They are not if the rays spread too wide; if they begin so far away
+    /// that rounding decides; if they are parallel and begin near the solid; if they begin at the height of
+    /// an end or of a step, to within the tolerance; or if a segment has no height in the frame. Then every
+    /// pixel gets a *single ray*.
     pub is_usable: bool,
-    /// The s at which the rays begin, if they have one origin and it lies near the solid or inside: not
-    /// before `span`. −∞ if they begin before.
+    /// The s at which the rays begin. If all of them begin before the solid, at an s below −span, this is −∞
+    /// instead, and no root has to be compared with it. If it is finite, the rays of a usable row have one
+    /// origin: near the solid, inside of it, or past it.
     pub start: f32,
     /// What relates s to the distance t along a ray: `unit·t = shift + s`. `shift` is the distance from the
     /// ray's origin to where s is zero, counted like s in lengths of D; `unit` is how many of these make a t
@@ -82,15 +84,15 @@ pub(super) struct RowBounds<'a> {
     pub high: f32,
     /// The largest |dz|.
     pub steep: f32,
-    /// The least q/dz² of all rays. Along every ray g is concave in a segment whose own `convexity`, the
-    /// bound of F″/2, is no more than this.
+    /// A lower bound of q/dz² of all rays. Along every ray g is concave in a segment whose own `convexity`,
+    /// the bound of F″/2, is no more than this.
     pub max_convexity: f32,
     /// True if all rays rise, false if all fall. `None` if neither is certain, or if the bounds are of no
     /// use.
     pub rising: Option<bool>,
     /// A bound of how fast heights change from pixel to pixel: the largest |∂z/∂i| at any s within the span,
-    /// divided by `SPANS·span`. Divided by |dz| it is one over the number of pixels in which the point of a
-    /// given height moves along the rays by `SPANS·span`.
+    /// divided by `SPANS·span`. Divided by |dz|, it bounds how far the point of a given height moves along
+    /// the rays from one pixel to the next, as a part of `SPANS·span`.
     pub drift: f32,
     /// How far rounding can move a point: [`LENGTH_TOLERANCE`] times the sum of the eye's distance and the
     /// solid's size.
@@ -168,9 +170,9 @@ impl<'a> RowBounds<'a> {
         let steep = d.z.abs() + half * d1.z.abs();
         // q is D² less dz².
         let q = greater(0.0, least - steep * steep);
-        let drift = m1.z.abs() + span * d1.z.abs();
+        let height_step = m1.z.abs() + span * d1.z.abs();
         // The bounds are of use if no direction is shorter than half the middle one, so that the spread of
-        // the rays no more than doubles a bound; if the rays begin before the span, or at one place; if the
+        // the rays no more than doubles a bound; if the rays begin before −span, or at one place; if the
         // tolerance is small; and if every segment has a height in the frame.
         let begins_before = shift > span + slip;
         let start = if begins_before { f32::NEG_INFINITY } else { -shift };
@@ -187,13 +189,14 @@ impl<'a> RowBounds<'a> {
         let is_mirrored = !is_culled && is_usable && {
             // Two pixels at the same distance from the middle on either side must agree, to half of what
             // rounding can do: in g at the same s; in the height, which counts at the solid's ends; and in
-            // how near the plane between them passes the axis. In g rounding is 2 + S times the slip, S the
-            // slope; the disagreement grows with S by `half·4·drift`, which must be no faster.
-            let asymmetry = 2.0 * asymmetry(rays, span, drift);
+            // how near the plane between them passes the axis. Rounding can change g by 2 + S times the slip,
+            // where S is the largest |dF/dz|. The disagreement in g is computed for S = 1; when S grows by 1,
+            // it grows by `4·half·height_step`, and what rounding can do by the slip.
+            let asymmetry = 2.0 * asymmetry(rays, span, height_step);
             frame.squash == 1.0
                 && (part.end - part.start).is_multiple_of(2)
                 && half * asymmetry < 2.0 * slip
-                && 4.0 * half * drift <= slip
+                && 4.0 * half * height_step <= slip
                 && asymmetry < slip * one_norm(m1)
         };
         let middle = if is_culled {
@@ -205,8 +208,8 @@ impl<'a> RowBounds<'a> {
             let pixel = center + nearest_pixel(rays, vector([0.0, 0.0, height]));
             part.start.max(part.end.min((pixel + 0.5) as u32))
         };
-        // D² is convex in the pixel's number, and so largest at an end of the row. The factor is for rounding,
-        // of D as well.
+        // D² is convex in the pixel's number, and so largest at an end of the row. The factor is for
+        // rounding, of D as well.
         let longest = (2.0 * square - least + half * half * dot(d1, d1)) * (1.0 + 1.0 / 1024.0);
         let has_one_side = is_usable && d.z.abs() > half * d1.z.abs();
         let least_slope = if part.has_depth { 0.0625 * Native::sqrt(longest) } else { 0.0 };
@@ -226,7 +229,7 @@ impl<'a> RowBounds<'a> {
             steep,
             max_convexity: q / (steep * steep),
             rising: has_one_side.then_some(d.z > 0.0),
-            drift: drift / (SPANS * span),
+            drift: height_step / (SPANS * span),
             slip,
             tolerance,
             knot_tolerance: if frame.has_rings { tolerance } else { 0.0 },
@@ -244,8 +247,8 @@ impl RowBounds<'_> {
         self.tolerance + self.slip * segment.max_slope
     }
 
-    /// What a root must satisfy in a segment. A segment that is steep or curved asks for more, and leaves the
-    /// others as they are.
+    /// What a root must satisfy that is tracked in a segment. The steeper or the more curved a segment is,
+    /// the more is asked of its own roots; those of other segments are not affected.
     #[inline(always)]
     pub fn in_segment(&self, segment: &Segment) -> SegmentBounds {
         let tolerance = self.tolerance_in(segment);
@@ -258,7 +261,8 @@ impl RowBounds<'_> {
 
     /// A bound of the difference, in t, between the distance of a tracked root or of a cap and the distance
     /// that a single ray finds there. It holds where the slope of g at the root is at least `L·(1 + S/2)`: L
-    /// is [`RowBounds::least_slope`], and S is the largest |dF/dz| of the segment.
+    /// is [`RowBounds::least_slope`], and S is the largest |dF/dz| of the segment. It is infinite if
+    /// distances are not compared.
     ///
     /// The distance of a root is off by the error of g, from rounding and a run's additions, divided by the
     /// slope, and by what the last step of Newton's method leaves. Both count twice, for the single ray has
@@ -290,12 +294,14 @@ struct Plane {
 }
 
 impl Plane {
-    /// The plane of the rays, whose solid has |s| ≤ span; `square` is the square of the cylinder's radius. At each height the plane has
-    /// a level line. The distance of that line from the axis is proportional to the difference between its
-    /// height and the height at which the plane meets the axis.
+    /// The plane of the rays, given a positive `span`, and the square of the cylinder's radius as `square`.
+    ///
+    /// At each height the plane has a level line. The distance of that line from the axis is proportional to
+    /// the difference between its height and the height at which the plane meets the axis.
     #[inline(always)]
     fn of(rays: &RayRow, span: f32, square: f32) -> Self {
-        // The step of the points at s = span: at the s where all rays begin they have none.
+        // The plane is spanned by a ray's direction and the step from one ray's point to the next one's, at
+        // s = span. At the s of a common origin that step would be zero.
         let normal = cross(rays.origin_step + rays.direction_step * span, rays.direction);
         let per_z = 1.0 / normal.z;
         let spread = Native::sqrt(square * dot_xy(normal, normal)) * per_z.abs();

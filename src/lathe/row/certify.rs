@@ -8,9 +8,9 @@
 //! `g ≤ −(A − J)·p + K·p²`,
 //!
 //! which is negative if `K ≤ 0 < A − J`. So one comparison a pixel certifies the root, as far back along the
-//! ray as all segments have K ≤ 0. Where the ray leaves the solid at the root, g is concave through the same
-//! segments but for slope jumps, which take less than a quarter of the tolerance from it. So g is positive in
-//! these segments if it is positive where the ray comes into the first of them.
+//! ray as all segments have K ≤ 0. Where the ray leaves the solid at the root, g is concave in each of these
+//! segments, and the slope jumps between them take less than a quarter of the tolerance from g. So g is
+//! positive in all of them if it is positive where the ray comes into the first.
 //!
 //! These proofs reach back to a segment with K > 0, or to a slope jump too large to count as rounding. For
 //! the part of the ray before that place, the cubics of its segments give an upper bound of g, or of −g if
@@ -35,24 +35,25 @@ use crate::math::minmax::{greater, lesser};
 pub(super) enum Certification {
     /// The tracked root is the nearest, for this reason.
     Nearest(Certificate),
-    /// The ray may meet this before: a cap or a ring, or another root that is nearer than the tracked one,
-    /// or, where the ray passes just beside a rim, lies shortly behind that rim.
+    /// The ray may meet this instead: a cap, a ring or another root, nearer than the tracked root. Where the
+    /// ray passes just beside a rim, it is a root shortly behind that rim.
     Another(Start),
     /// Neither is certain.
     Undecided,
 }
 
-/// The part of a ray before a root's segment.
+/// What is known of the part of a ray before the first of the [`Concave`] segments.
 enum Before {
     /// g keeps its sign in that part, for all pixels from the one asked for to before `until`.
     Clear { until: u32 },
-    /// The ray may meet this before.
+    /// The ray may meet this there.
     MayMeet(Start),
     /// Neither is certain.
     Undecided,
 }
 
-/// The segments, from the root's own back along the ray, through which g is concave but for slope jumps.
+/// The root's own segment and those before it along the ray in each of which g is concave, as far as slope
+/// jumps between them are too small to matter.
 struct Concave<'a> {
     /// The segment of them that the ray meets first, and its index.
     first: &'a Segment,
@@ -64,8 +65,8 @@ struct Concave<'a> {
 }
 
 impl Sweep<'_> {
-    /// Decides whether a root that is tracked in the segment `root.segment`, if the i-th ray has one there,
-    /// is the ray's nearest, and for how many of the next rays the answer holds.
+    /// Decides whether the tracked root, if the i-th ray has one in the segment `root.segment`, is the ray's
+    /// nearest. A certificate says for how many of the next rays it holds. This changes no field.
     pub(super) fn certify(&self, i: u32) -> Certification {
         let (bounds, root) = (&self.bounds, &self.root);
         let (segment, enters) = (root.segment, root.sign > 0.0);
@@ -74,7 +75,7 @@ impl Sweep<'_> {
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
         let mut passed = Concave { first: segment, index: root.index, slope_jumps: 0.0, is_all: false };
         let (rises, turns) = self.rises_until(i);
-        // B, see the top of this file, is concave.
+        // Then B, see the top of this file, is concave.
         if (f3 > 0.0) != (rises == enters) {
             bump = 0.0;
         }
@@ -110,9 +111,9 @@ impl Sweep<'_> {
         (dz > 0.0, if turn > 0.0 { i.saturating_add((turn as u32).max(1)) } else { u32::MAX })
     }
 
-    /// The segments, from the root's own back, through which g is concave along every ray of the row, but for
-    /// slope jumps. Together these jumps raise g by less than a quarter of the tolerance; rounding changes g
-    /// by another quarter at most. `is_rising` says whether the rays rise.
+    /// The root's own segment, and those before it as long as g is concave in each along every ray of the
+    /// row, and the slope jumps between them together raise g by less than a quarter of the tolerance.
+    /// (Rounding changes g by another quarter at most.) `is_rising` says whether the rays rise.
     #[inline(always)]
     fn concave(&self, is_rising: bool) -> Concave<'_> {
         let bounds = &self.bounds;
@@ -152,7 +153,7 @@ impl Sweep<'_> {
         let far = lesser(far, path.slab(passed.first.low, passed.first.high).0);
         let far = greater(bounds.start, far);
         // The proofs for the root's own segment need the sign of g where the ray comes into it, unless the
-        // slope suffices. So g is bounded at that point in any case, even where it lies before `near`.
+        // slope suffices. So g is bounded at that point in any case, even if that point lies before `near`.
         let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
         let before = (if by_slope { near } else { lesser(near, far) }, far);
         let plane = passed.index + usize::from(!path.rises());
@@ -180,16 +181,17 @@ impl Sweep<'_> {
     ///
     /// `u` and `s` are those of the root, `q` that of the ray. As in [`Sweep::track`], the ray is reversed
     /// for a root where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is dg/ds at the
-    /// point where Newton's last step began. That point is at the root's s plus `back`, along that ray.
+    /// point where Newton's last step began: the root plus `back` lengths of the direction, along that ray.
     ///
     /// Let A be the slope at the root, and w the distance in u from the root back towards the ray's origin.
     /// Then, with g″ taken at the root,
     ///
     /// `sign·κ²·g = −w·B(w)`, `B = A·|κ| − c₂·w + c₃·w²`, `c₂ = sign·g″/2`, `|c₃| = |f3|·κ²`.
     ///
-    /// B is positive at the root and where the ray comes in. So it is positive between if c₃ ≤ 0; and if c₃ >
-    /// 0, it is where c₂ < 0 or the discriminant of B is negative. The certificate's `bump` is zero if c₃ ≤ 0
-    /// is certain.
+    /// B is positive at the root and where the ray comes in. So it is positive between if c₃ ≤ 0. If c₃ > 0,
+    /// B is positive between if c₂ < 0 or if its discriminant is negative. The certificate's `bump` stands
+    /// for |f3|. If c₃ ≤ 0 or a concave g is certain, it is zero; then only c₂ < 0 is tested here, beside the
+    /// slope.
     #[cold]
     #[inline(never)]
     pub(super) fn is_nearest_at(&self, u: f32, s: f32, slope: f32, back: f32, q: f32, kappa: f32) -> bool {

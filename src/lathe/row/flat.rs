@@ -14,8 +14,8 @@ use crate::math::minmax::{greater, lesser};
 impl Sweep<'_> {
     /// The span of pixels, from the i-th on, that may see a cap or a ring: on the plane at which the i-th ray
     /// comes to the solid, or on the one that `root.plane` names. Nothing hides that from these pixels: each
-    /// sees it if its ray [passes](Sweep::passes) through it, as the i-th does. `None` if the i-th is not
-    /// certain to see one; then `root.plane` names none.
+    /// sees it if its ray [passes](Sweep::passes) through it, as the i-th does. The `flat` of the sweep is
+    /// set to it. `None` if the i-th is not certain to see one; then `root.plane` names none.
     #[inline(always)]
     pub(super) fn flat_span(&mut self, i: u32) -> Option<Span> {
         let frame = self.bounds.lathe.frame;
@@ -57,9 +57,9 @@ impl Sweep<'_> {
         None
     }
 
-    /// The s at which the i-th ray passes through the cap or the ring of the last [`Span::Flat`], clear of its
-    /// rims and of the ray's begin by more than the tolerance. `None` if it does not, or if its distance is not certain enough to be
-    /// compared.
+    /// The s at which the i-th ray passes through the cap or the ring of the last [`Span::Flat`], clear of
+    /// its rims and of the point where the rays begin by more than the tolerance. `None` if it does not, if
+    /// it comes from the side that is not seen, or if its distance is not certain enough to be compared.
     // Not `inline(always)`: in a build for size, flash should contain the function only once.
     #[inline]
     pub fn passes(&self, i: u32) -> Option<f32> {

@@ -21,8 +21,9 @@ impl Seen {
         Self { gradient, per_length: rsqrt(gradient.dot(gradient)) }
     }
 
-    /// The sample as pairs of numbers. Where a function that is not inlined takes these, they stay in
-    /// registers; a sample would be stored on the stack, even for calls that are not made.
+    /// The sample as pairs of numbers. A function that is not inlined takes such pairs in registers. A sample
+    /// it would take by reference: then the loop would store each sample on the stack, whether it makes the
+    /// call or not.
     #[inline(always)]
     pub fn pairs(&self) -> [(f32, f32); 2] {
         let Self { gradient: F32x3 { x, y, z }, per_length } = *self;

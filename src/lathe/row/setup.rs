@@ -39,7 +39,7 @@ impl Lathe {
         let unit = frame.scale * unit;
         let mut bounds = RowBounds::new(lathe, &rays, shift, unit, rough * unit, part);
         if bounds.start > f32::NEG_INFINITY {
-            // On which side of an edge's plane the rays begin must not be decided by rounding.
+            // Rounding must not decide on which side of the plane of an end or of a step the rays begin.
             let height = rays.origin.z + bounds.start * rays.direction.z;
             bounds.is_usable &= !lathe.is_near_edge(height, bounds.tolerance);
         }

@@ -24,16 +24,16 @@ pub(super) enum Probe {
 
 /// An upper bound of sign·g along a ray.
 pub(super) struct UpperBound {
-    /// The bound and the tolerance of the segment where it is reached, added up: below zero if sign·g is
-    /// certain to be. It holds for the part asked for, or, if there is a start, to the end of its segment.
+    /// The bound plus the tolerance of the segment where it is reached. If this is below zero, sign·g is
+    /// certain to be. It holds for the whole part asked for; if there is a start, only as far as the end of
+    /// the start's segment.
     pub g: f32,
     /// The tolerance of the last segment in which `g` is not below zero.
     pub tolerance: f32,
     /// About where sign·g crosses zero, in the first segment where sign·g may come to within the tolerance of
     /// zero. The start's own sign is 1 where sign·g rises through zero along the ray, −1 where it falls.
     /// It is a plane if sign·g jumps over zero there. `None` if sign·g stays below zero by the tolerance in
-    /// every segment, or above zero. A segment is passed over if sign·g falls through zero behind the end of
-    /// the part.
+    /// every segment, or if it is above zero where the part begins and falls through zero nowhere in it.
     pub start: Option<Start>,
 }
 
@@ -50,18 +50,20 @@ impl Sweep<'_> {
         let exit = if path.rises() { bounds.lathe.frame.len } else { 0 };
         match self.below_zero(i, &path, 1.0, self.interval(&path), exit) {
             Ok(to) => Probe::Misses { to },
-            // If g is not known to fall through zero, the ray may leave the solid through the other end.
+            // No crossing is known in any segment: the ray may begin inside, and leave through the far end.
             Err(UpperBound { start, .. }) => {
                 Probe::MayMeet(start.unwrap_or(Start { index: exit, s: 0.0, sign: 0.0 }))
             }
         }
     }
 
-    /// Whether sign·g stays below zero by more than the tolerance on an interval of the i-th ray: the first
-    /// pixel from there on for which that is not certified, or, if it may not be so on the i-th, the bound
-    /// that says so. Where the interval begins on the plane of an end, or ends on the plane of the knot
-    /// `last`, sign·g must be below zero on both sides of the plane; at its end only on the near side if there
-    /// is no such knot.
+    /// Whether sign·g stays below zero by more than the tolerance on an interval of the i-th ray. If so, the
+    /// first pixel after it for which that is not certified; if not, or if it is not certain, the bound as an
+    /// error.
+    ///
+    /// Where the interval begins on the plane of an end, or ends on the plane of the knot `last`, sign·g must
+    /// be below zero on both sides of the plane. If no knot has the number `last`, sign·g is tested only on
+    /// the near side of the interval's end.
     #[inline(never)]
     pub(super) fn below_zero(
         &self,
@@ -76,7 +78,7 @@ impl Sweep<'_> {
             return Err(bound);
         }
         if interval == (self.bounds.start, self.bounds.start) {
-            // A point of all rays.
+            // The interval is the one point where all rays begin: so sign·g is the same for all of them.
             return Ok(u32::MAX);
         }
         Ok((i + 1).saturating_add(self.certified_run(path, self.ray(i), sign, -bound.g, interval)))
@@ -155,14 +157,14 @@ impl Sweep<'_> {
     }
 
     /// The number of next pixels for whose rays sign·g is certain to stay below zero, at every height that
-    /// the given ray has in an interval of s. `path` is that ray, and `(m, d)` its M and D. On it sign·g is
-    /// below −`margin` by the tolerance there; `margin` is positive. Zero if no next pixel is certain.
+    /// the given ray has in an interval of s. `path` is that ray, and `(m, d)` its M and D. On it sign·g plus
+    /// the tolerance is at most −`margin`; `margin` is positive. Zero if no next pixel is certain.
     ///
     /// Take one height. The point P where a ray has that height moves, as the pixel's number grows, along the
-    /// line in which the row's plane meets that height, and always the same way. At the point g is F, which
-    /// stays, less the square of the distance from the axis. If v is the motion of P from one pixel to the
-    /// next, n pixels on g has changed by `−2·n·⟨P, v⟩ − n²·v²`. The largest values of both terms over the
-    /// interval are those of two quadratics in s.
+    /// line in which the row's plane meets that height, and always the same way. At P, g is F less the square
+    /// of P's distance from the axis, and F is the same for all pixels, as the height is. If v is the motion
+    /// of P from one pixel to the next, n pixels on g has changed by `−2·n·⟨P, v⟩ − n²·v²`. The largest
+    /// values of both terms over the interval are those of two quadratics in s.
     #[inline(always)]
     fn certified_run(
         &self,
@@ -197,8 +199,8 @@ impl Sweep<'_> {
         // FALL of itself.
         let level = greater(drift * per_dz.abs(), fall / FALL);
         // One over the number n with which the change comes to the margin: the larger root of
-        // `margin·r² − 2·pace·r − square`. If there is no such root, `rate` is NaN; then, as where `rate` is
-        // not positive, the change never comes to the margin.
+        // `margin·r² − 2·pace·r − square`. If there is no such root or the margin is infinite, `rate` is NaN;
+        // then, as where `rate` is not positive, the change never comes to the margin.
         let rate = (pace + Native::sqrt(pace * pace + square * margin)) / margin;
         // `greater` returns `level` if the other number is NaN. The conversion to u32 saturates.
         (1.0 / greater(level, rate + fall)) as u32

@@ -7,8 +7,8 @@ use crate::hit::{Hit, Part};
 
 impl Sweep<'_> {
     /// The span that begins with the i-th pixel; i must be less than [`Sweep::len`]. A tracked root is tried
-    /// first, then a cap or a ring, then pixels that miss. If the i-th pixel belongs to none of these, the span is
-    /// [`Span::Single`].
+    /// first, then a cap or a ring, then pixels that miss. If the i-th pixel belongs to none of these, the
+    /// span is [`Span::Single`].
     ///
     /// The next i is the `to` of the span, or, of a tracked one, what [`Sweep::track`] returned, or, after a
     /// single ray, i + 1. This function begins to track roots, certifies them, and ends tracking.
@@ -41,8 +41,9 @@ impl Sweep<'_> {
         }
     }
 
-    /// Probes the i-th ray, with no root tracked. If the ray may meet the solid, this begins to track a root
-    /// there, or notes the plane of a cap or a ring.
+    /// Probes the i-th ray, with no root tracked, and returns what the probe found. If the ray may meet the
+    /// solid, this begins to track a root there, or notes the plane of a cap or a ring in `root.plane`. The
+    /// i-th ray will not be probed again.
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
@@ -60,10 +61,17 @@ impl Sweep<'_> {
         probe
     }
 
-    /// Continues where tracking ended before the i-th pixel: in the next segment, with a new certificate, or
-    /// with another root that may be nearer. If none of these is possible, no root is tracked from here on,
-    /// and the i-th pixel is not to be probed, since a probe would find the same root again. If tracking
-    /// ended because Newton's method diverged, no root is tracked either, but the i-th pixel may be probed.
+    /// Continues where tracking ended before the i-th pixel, for the reason `end`:
+    ///
+    /// - at a limit that lies before the certificate's `until`: with the same root and certificate;
+    /// - where the certificate ended, or where the root left its segment for a neighbour: in that segment
+    ///   with a new certificate, or, without one, with another root or a plane that may be nearer;
+    /// - where the root left its segment at a step or at the solid's end: no root is tracked, and the plane
+    ///   there is noted in `root.plane`. At the solid's end the i-th pixel is not to be probed;
+    /// - where Newton's method diverged: no root is tracked, and the i-th pixel may be probed;
+    /// - where the root is uncertified, or where the second case is not possible or has been tried too often:
+    ///   no root is tracked, and the i-th pixel is not to be probed, since a probe would find the same root
+    ///   again.
     #[inline(never)]
     fn resume(&mut self, i: u32, end: TrackEnd) {
         let root = &mut self.root;

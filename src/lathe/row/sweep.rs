@@ -13,15 +13,16 @@ use crate::lathe::ray::LocalRay;
 use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
 
-/// How many steps of Newton's method, or changes of segment, are tried for a pixel before it becomes a
-/// *single ray*.
+/// How many steps of Newton's method are tried for a pixel before it becomes a *single ray*; also, one more
+/// than how many changes of the segment, the root or its certificate are.
 ///
-/// Take as unit of the error of s the slope |dg/ds| divided by |g″/2|. Then each step at least squares the
-/// error. An error of 1/4 becomes (2⁻²)¹⁶ = 2⁻³² in four steps, below f32's roundoff. A root that takes
-/// longer lies beside a double root, in the *undecided band*.
+/// Count the error of s in units of |dg/ds| divided by |g″/2|. In these units a step squares the error. An
+/// error of 1/4 becomes (2⁻²)¹⁶ = 2⁻³² in four steps, below f32's roundoff. A root that takes longer lies
+/// beside a double root, in the *undecided band*.
 pub(super) const STEPS: u8 = 4;
 
-/// Neighbouring pixels that are alike. The i-th pixel is the first of each; `to` is the one after the last.
+/// Neighbouring pixels that are computed in the same way. The span begins with the i-th pixel, the one that
+/// [`Sweep::next`] was asked for; `to` is the pixel after the last one.
 pub(crate) enum Span {
     /// A root is tracked. [`Sweep::track`] hands over what these pixels see; it may end before `to`.
     Tracked { to: u32 },
@@ -92,8 +93,9 @@ pub(super) struct TrackedRoot<'a> {
     pub certificate: Certificate,
     /// Why tracking ended, until [`Sweep::next`] has seen to it.
     pub end: Option<TrackEnd>,
-    /// One more than how often the segment, the root or its certificate may still be changed until Newton's
-    /// method has found the root of a pixel: with the change after that, tracking ends.
+    /// One more than how often the segment, the root or its certificate may still be changed before a pixel's
+    /// root is found. Each change takes one from it; where it comes to zero, tracking ends instead. When a
+    /// pixel's root has been found, it is [`STEPS`] again.
     pub tries: u8,
     /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
     /// there is none.
@@ -108,9 +110,10 @@ pub(super) struct TrackedRoot<'a> {
 /// Why tracking ended at a pixel.
 #[derive(Clone, Copy)]
 pub(super) enum TrackEnd {
-    /// The limit that was asked for is reached.
+    /// [`Sweep::track`] has come to the pixel `to` that it was given, or the root has no certificate for the
+    /// pixel.
     Limit,
-    /// The root is not known to be the nearest.
+    /// The root at this pixel is not certain to be its ray's nearest.
     Uncertified,
     /// The root has left the segment: through its upper end, if `upper`, or through its lower end.
     Left { upper: bool },
@@ -123,8 +126,8 @@ pub(super) enum TrackEnd {
 pub(super) struct Certificate {
     /// The root is the nearest if the slope of g at it is more than this.
     pub slope: f32,
-    /// For the second test, [`Sweep::is_nearest_at`]: |f3| of the root's own segment, or zero if the
-    /// slope alone suffices in that segment.
+    /// For the second test, [`Sweep::is_nearest_at`]: |f3| of the root's own segment, or zero if the slope of
+    /// g alone proves that g keeps its sign in that segment.
     pub bump: f32,
     /// The bounds of the root's own segment.
     pub own: SegmentBounds,
@@ -143,8 +146,8 @@ pub(super) struct Start {
     pub sign: f32,
 }
 
-/// A cap or a ring at the height z of the frame, of which r² is from `middle − half` to `middle + half`. It is
-/// seen from above if `up` is 1, and from below if it is −1.
+/// A cap or a ring at the height z of the frame, of which r² is from `middle − half` to `middle + half`. It
+/// is seen from above if `up` is 1, and from below if it is −1.
 #[derive(Default)]
 pub(super) struct Flat {
     pub z: f32,

@@ -77,7 +77,7 @@ impl Sweep<'_> {
                     continue;
                 }
                 let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
-                // The bits of a negative number or a NaN, as an integer, are greater than those of `width`.
+                // As unsigned integers, the bits of a negative number or a NaN exceed those of `width`.
                 if (u - from).to_bits() > width {
                     end = TrackEnd::Left { upper: u > 0.5 };
                     break 'pixels;

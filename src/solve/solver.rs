@@ -6,7 +6,7 @@ use crate::math::Math;
 
 /// By how much the coefficients of the cubic for which an answer is exact may differ from the given ones, in
 /// units of 2⁻²⁴, relative. The bound is measured, not proved: the largest change seen is 2.4 units among the
-/// cubics of `docs/ACCURACY.md`, and 3.4 units among sixty million over a hundred binary orders (`cargo test
+/// cubics of `docs/ACCURACY.md`, and 3.2 units among sixty million over a hundred binary orders (`cargo test
 /// --release --lib sixty_million -- --ignored`). The laboratory's tests assert the bound in exact arithmetic.
 pub const BACKWARD_ERROR: f32 = 4.0;
 

@@ -4,8 +4,8 @@ use crate::math::minmax::lesser;
 use crate::solve::{Fall, Piece};
 
 /// How many steps [`refine`] takes before it bisects. From a fair seed two or three are enough. From a bad
-/// one, towards three roots that are nearly one, a Newton step leaves 2/3 of the distance: from 2³¹ to 2⁻⁴² it
-/// would take 125.
+/// one, towards three roots that are nearly one, a Newton step leaves 2/3 of the distance: it would take 125
+/// steps from 2³¹ to 2⁻⁴².
 const NEWTON_LIMIT: u32 = 32;
 
 /// The root of `g` in a piece, by Newton's method in a bracket, from any seed, NaN too: a bad seed costs
@@ -219,7 +219,7 @@ mod tests {
         assert!(48 < steps && steps <= REFINE_LIMIT && 2.0 < units, "{steps} steps, {units} units");
     }
 
-    /// Three roots that are nearly one, and both ends far away: without bisection it takes more than 160 steps.
+    /// Three roots that are nearly one, and both ends far away: without bisection it takes over 160 steps.
     #[test]
     fn the_slowest_found() {
         SEED.set((0, 0.0));

@@ -172,6 +172,8 @@ impl Shades {
 pub(crate) struct Share(u32);
 
 impl Share {
+    /// The number 0.
+    pub const NONE: Self = Self(0);
     /// How many units make the number 1.
     pub const UNITS: f32 = 4_294_967_296.0;
 

@@ -52,10 +52,9 @@ impl Light {
         self.ambient
     }
 
-    /// The share of white that the highlight adds, given `mirrored`, which is r·v, and a number `nl` with the
-    /// sign of n·l. It is zero if the surface faces away from the light or if `mirrored` is not positive.
-    pub(crate) fn highlight(shininess: u8, nl: f32, mirrored: f32) -> f32 {
-        if nl > 0.0 && mirrored > 0.0 { 0.5 * power(mirrored, shininess) } else { 0.0 }
+    /// The share of white that the highlight adds where the light falls, given r·v, which is positive.
+    pub(crate) fn highlight(shininess: u8, mirrored: f32) -> f32 {
+        0.5 * power(mirrored, shininess)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::lathe::Seen;
 use crate::light::Light;
 use crate::math::rsqrt;
 use crate::solid::Solid;
-use crate::vector::{F32x3, Vector};
+use crate::vector::{F32x3, dot};
 
 /// A solid's material in the scene's light: the quantities of its color that are the same for every pixel.
 pub(crate) struct Finish {
@@ -44,26 +44,43 @@ impl Finish {
     #[inline]
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &F32x3, views: &Views) -> Shades {
         // Where the surface faces away from the light the cosine is negative: `Share::new` makes it zero.
-        let cosine = seen.per_length * seen.gradient.dot(*to_light);
+        let cosine = seen.per_length * dot(seen.gradient, *to_light);
         let diffuse = self.ambient.with(self.direct.dimmed(Share::new(cosine)));
         if self.shininess == 0 {
             return diffuse;
         }
         let white = const { Shades::of(most_shades::<C>()) };
-        let share = self.specular(seen.gradient * seen.per_length, to_light, views, column);
+        let share = self.specular(seen.pairs(), cosine, to_light, views, column);
         diffuse.with_up_to(white.dimmed(share), const { Shades::of(most_shades::<C>()).rounded() })
     }
 
-    /// The share of white that the highlight adds, given the unit normal, the direction to the light, of
-    /// length [`Share::UNITS`], and the column whose ray sees the point.
+    /// The share of white that the highlight adds to what is seen, given as [`Seen::pairs`], `cosine`, which is
+    /// positive, the product of the unit normal and the direction to the light, both of which are
+    /// [`Share::UNITS`] times as long as a unit vector, and the column whose ray sees the point.
     #[cold]
-    fn specular(&self, normal: F32x3, to_light: &F32x3, views: &Views, column: u32) -> Share {
+    #[inline(never)]
+    fn specular(
+        &self,
+        seen: [(f32, f32); 2],
+        cosine: f32,
+        to_light: &F32x3,
+        views: &Views,
+        column: u32,
+    ) -> Share {
+        let Seen { gradient, per_length } = Seen::of_pairs(seen);
+        if !(cosine > 0.0) {
+            return Share::NONE;
+        }
         let view = views.first + views.step * column as f32;
-        let nl = normal.dot(*to_light);
         // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
-        let rv = to_light.dot(view) - 2.0 * nl * normal.dot(view);
-        let rv = rv * (rsqrt(view.dot(view)) * (1.0 / Share::UNITS));
-        Share::of_one(Light::highlight(self.shininess, nl, rv))
+        // It has the right sign before v is made a unit vector.
+        let twice = 2.0 * cosine * per_length;
+        let rv = dot(*to_light, view) - twice * dot(gradient, view);
+        if !(rv > 0.0) {
+            return Share::NONE;
+        }
+        let rv = rv * (rsqrt(dot(view, view)) * (1.0 / Share::UNITS));
+        Share::of_one(Light::highlight(self.shininess, rv))
     }
 }
 

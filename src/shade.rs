@@ -44,8 +44,34 @@ impl Finish {
     #[inline]
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &F32x3, views: &Views) -> Shades {
         // Where the surface faces away from the light the cosine is negative: `Share::new` makes it zero.
-        let cosine = seen.per_length * dot(seen.gradient, *to_light);
-        let diffuse = self.ambient.with(self.direct.dimmed(Share::new(cosine)));
+        let cosine = Self::cosine(seen, to_light);
+        self.with_highlight::<C>(self.diffuse(cosine), cosine, column, seen, to_light, views)
+    }
+
+    /// The cosine of the angle between the normal and the direction to the light, in the units of a [`Share`].
+    #[inline(always)]
+    pub fn cosine(seen: &Seen, to_light: &F32x3) -> f32 {
+        seen.per_length * dot(seen.gradient, *to_light)
+    }
+
+    /// The color without a highlight, given that cosine. Where the surface faces away from the light it is
+    /// negative: [`Share::new`] makes it zero.
+    #[inline(always)]
+    pub fn diffuse(&self, cosine: f32) -> Shades {
+        self.ambient.with(self.direct.dimmed(Share::new(cosine)))
+    }
+
+    /// The color, given that without a highlight, and the cosine. The rest is as for [`Finish::shades`].
+    #[inline(always)]
+    pub fn with_highlight<C: Paint>(
+        &self,
+        diffuse: Shades,
+        cosine: f32,
+        column: u32,
+        seen: &Seen,
+        to_light: &F32x3,
+        views: &Views,
+    ) -> Shades {
         if self.shininess == 0 {
             return diffuse;
         }
@@ -54,9 +80,8 @@ impl Finish {
         diffuse.with_up_to(white.dimmed(share), const { Shades::of(most_shades::<C>()).rounded() })
     }
 
-    /// The share of white that the highlight adds to what is seen, given as [`Seen::pairs`], `cosine`, which is
-    /// positive, the product of the unit normal and the direction to the light, both of which are
-    /// [`Share::UNITS`] times as long as a unit vector, and the column whose ray sees the point.
+    /// The share of white that the highlight adds, given [`Seen::pairs`] of what is seen, [`Finish::cosine`], the
+    /// direction to the light, and the column whose ray sees the point.
     #[cold]
     #[inline(never)]
     fn specular(

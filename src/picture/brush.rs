@@ -5,6 +5,7 @@ use crate::color::Paint;
 use crate::lathe::{Seen, Sweep};
 use crate::shade::Finish;
 use crate::vector::{F32x3, Vector};
+use core::ops::Range;
 
 /// What colors a sheet of a solid on a part of a row. The part's pixels are numbered from its left end.
 pub(super) struct Brush<'a> {
@@ -53,6 +54,21 @@ impl<'a> Brush<'a> {
     #[inline(always)]
     pub fn image_color<C: Paint>(&self, image: usize, at: usize, seen: &Seen, mirrored: &F32x3) -> C {
         self.shade(image, at, seen, mirrored)
+    }
+
+    /// Paints the pixels of `columns`, those of the part's row that all see the same `seen`. Its pixels are
+    /// `run`.
+    #[inline(never)]
+    pub fn level<C: Paint>(&self, run: &mut [C], columns: Range<u32>, seen: &Seen) {
+        let Self { finish, rays, x, .. } = self;
+        let at = (columns.start - x) as usize..(columns.end - x) as usize;
+        let cosine = Finish::cosine(seen, &finish.to_light);
+        let diffuse = finish.diffuse(cosine);
+        for (pixel, column) in run.get_mut(at).unwrap_or_default().iter_mut().zip(columns) {
+            let (light, views) = (&finish.to_light, &rays.views);
+            let shades = finish.with_highlight::<C>(diffuse, cosine, column, seen, light, views);
+            *pixel = C::shade(shades, column, rays.row.y);
+        }
     }
 
     /// The color of the pixel `to`: that of what the pixel `at` sees in light from the direction `to_light`.

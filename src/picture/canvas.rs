@@ -84,16 +84,25 @@ impl<C: Paint> Canvas<'_, '_, C> {
     /// mirror images. Returns the first that does not see it, `to` at most.
     #[inline(never)]
     fn flat(&mut self, sweep: &Sweep, mut i: u32, to: u32) -> u32 {
-        let seen = &sweep.flat();
+        let (seen, start) = (&sweep.flat(), i);
         while i < to
             && let Some(s) = sweep.passes(i)
         {
-            let distance = if self.depths.is_some() { sweep.scale().distance(s) } else { 0.0 };
-            if self.brush.mirrored.is_some() {
-                self.put(sweep.mirrored_column(i), seen, distance);
+            if self.depths.is_some() {
+                let distance = sweep.scale().distance(s);
+                if self.brush.mirrored.is_some() {
+                    self.put(sweep.mirrored_column(i), seen, distance);
+                }
+                self.put(sweep.column(i), seen, distance);
             }
-            self.put(sweep.column(i), seen, distance);
             i += 1;
+        }
+        let Self { brush, run, .. } = self;
+        if !sweep.is_reversed() {
+            brush.level(run, sweep.right_columns(start..i), seen);
+        }
+        if sweep.is_reversed() || brush.mirrored.is_some() {
+            brush.level(run, sweep.left_columns(start..i), seen);
         }
         i
     }

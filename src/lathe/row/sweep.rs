@@ -12,6 +12,7 @@ use super::ray_row::RayRow;
 use crate::lathe::ray::LocalRay;
 use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
+use core::ops::Range;
 
 /// How many steps of Newton's method are tried for a pixel before it becomes a *single ray*; also, one more
 /// than how many changes of the segment, the root or its certificate are.
@@ -215,6 +216,18 @@ impl Sweep<'_> {
     pub fn column(&self, i: u32) -> u32 {
         let middle = self.bounds.middle;
         if self.direction.is_reversed { middle - 1 - i } else { middle + i }
+    }
+
+    /// The columns of some pixels if they are counted to the right.
+    #[inline(always)]
+    pub fn right_columns(&self, pixels: Range<u32>) -> Range<u32> {
+        self.bounds.middle + pixels.start..self.bounds.middle + pixels.end
+    }
+
+    /// The columns of some pixels if they are counted to the left, from left to right.
+    #[inline(always)]
+    pub fn left_columns(&self, pixels: Range<u32>) -> Range<u32> {
+        self.bounds.middle - pixels.end..self.bounds.middle - pixels.start
     }
 
     /// The column of the i-th pixel's mirror image, where the row has one.

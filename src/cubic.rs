@@ -96,7 +96,6 @@ impl Cubic {
 }
 
 /// The greatest value of `c0 + c1·x + c2·x²` for x in [−half, half], half ≥ 0.
-#[inline(always)]
 pub(crate) fn quadratic_max_on(c0: f32, c1: f32, c2: f32, half: f32) -> f32 {
     // True if the vertex lies inside and the parabola opens downwards.
     if c1.abs() + 2.0 * c2 * half < 0.0 {

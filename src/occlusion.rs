@@ -57,18 +57,17 @@ impl PaintOrder {
         if solids.len() > SORTED {
             return order;
         }
-        order.sort(solids, camera, 0, solids.len());
+        let (mut keys, mut index) = ([0; SORTED], 0);
+        while index < solids.len() {
+            keys[index] = camera.distance(&solids[index]);
+            index += 1;
+        }
+        order.sort(&keys, 0, solids.len());
         (order.block, order.beyond) = (solids.len(), 0);
         let mut near = 0;
         while near < solids.len() {
-            // A body's sheets hide one another.
-            let index = order.index(near);
-            if index < solids.len() && solids[index].is_body() {
-                order.block = if near < order.block { near } else { order.block };
-                order.beyond = near + 1;
-            }
             let mut far = 0;
-            while far < near && !(order.block <= far && near < order.beyond) {
+            while far <= near && !(order.block <= far && near < order.beyond) {
                 if !order.is_parted(solids, camera, far, near) {
                     order.block = if far < order.block { far } else { order.block };
                     order.beyond = near + 1;
@@ -77,7 +76,7 @@ impl PaintOrder {
             }
             near += 1;
         }
-        order.sort(&[], camera, order.block, order.beyond);
+        order.sort(&[0; SORTED], order.block, order.beyond);
         order
     }
 
@@ -88,42 +87,39 @@ impl PaintOrder {
         if rank < SORTED { (self.indices >> (4 * rank)) as usize & 7 } else { rank }
     }
 
-    /// Whether a plane is found between the solids of two ranks, with the eye on the side of the one ranked
-    /// `near`: then the one ranked `far` hides nothing of it. False if the slice has no such solid.
+    /// Whether the solid ranked `far` is certain to hide nothing of the one ranked `near`: whether a plane is
+    /// found between the two, with the eye on the side of the latter. A solid and itself need no plane, unless
+    /// it is a body: then false, since its sheets may hide one another. True if the slice has no such solid.
     #[inline(never)]
     const fn is_parted(&self, solids: &[Solid], camera: &Camera, far: usize, near: usize) -> bool {
         let (far, near) = (self.index(far), self.index(near));
-        far < solids.len() && near < solids.len() && camera.sees_behind(&solids[far], &solids[near])
+        if far >= solids.len() || near >= solids.len() {
+            return true;
+        }
+        let (far_solid, near_solid) = (&solids[far], &solids[near]);
+        if far == near { !near_solid.is_body() } else { camera.sees_behind(far_solid, near_solid) }
     }
 
-    /// Sorts the ranks from `from` to before `to`, by insertion: the farthest solid first, and of two at the
-    /// same distance the one with the lower index. An empty `solids` has no distances: then the ranks are
-    /// sorted by index alone.
-    const fn sort(&mut self, solids: &[Solid], camera: &Camera, from: usize, to: usize) {
+    /// Sorts the ranks from `from` to before `to`, by insertion: the solid whose index has the largest key
+    /// first, and of two with equal keys the one with the lower index.
+    #[inline(never)]
+    const fn sort(&mut self, keys: &[u32; SORTED], from: usize, to: usize) {
         let mut next = from + 1;
         while next < to {
-            let mut rank = next;
-            while rank > from && self.is_before(solids, camera, rank) {
-                // Swaps four bits with the four below.
-                let low = 4 * (rank - 1);
-                let both = (self.indices >> low ^ self.indices >> (low + 4)) & 15;
+            let mut low = 4 * next;
+            while low > 4 * from {
+                low -= 4;
+                let pair = self.indices >> low;
+                let (before, after) = ((pair & 7) as usize, (pair >> 4 & 7) as usize);
+                if keys[before] > keys[after] || keys[before] == keys[after] && before < after {
+                    break;
+                }
+                // Swaps the four bits with the next four.
+                let both = (pair ^ pair >> 4) & 15;
                 self.indices ^= both << low | both << (low + 4);
-                rank -= 1;
             }
             next += 1;
         }
-    }
-
-    /// Whether the solid of a rank is to be painted before the one ranked before it, by the rule of
-    /// [`PaintOrder::sort`].
-    #[inline(never)]
-    const fn is_before(&self, solids: &[Solid], camera: &Camera, rank: usize) -> bool {
-        let (index, other) = (self.index(rank), self.index(rank - 1));
-        if index >= solids.len() || other >= solids.len() {
-            return index < other;
-        }
-        let (distance, others) = (camera.distance(&solids[index]), camera.distance(&solids[other]));
-        distance > others || distance == others && index < other
     }
 }
 

@@ -29,6 +29,9 @@ pub struct Solid<'a> {
     first: Sheet<'a>,
     /// The other sheets of a body; empty if the solid is no body.
     rest: &'a [Sheet<'a>],
+    /// Half the height of the cylinder around all sheets, and its radius, in the solid's own space.
+    half_height: f32,
+    radius: f32,
     pose: Pose,
     color: Rgb,
     shininess: u8,
@@ -38,7 +41,15 @@ impl<'a> Solid<'a> {
     /// A matt solid in the pose [`Pose::IDENTITY`].
     #[must_use]
     pub const fn new(lathe: &'a Lathe, color: Rgb) -> Self {
-        Self { first: Sheet::outer(lathe), rest: &[], pose: Pose::IDENTITY, color, shininess: 0 }
+        Self {
+            first: Sheet::outer(lathe),
+            rest: &[],
+            half_height: lathe.half_height(),
+            radius: lathe.radius(),
+            pose: Pose::IDENTITY,
+            color,
+            shininess: 0,
+        }
     }
 
     /// A matt body bounded by several sheets about one axis, in the pose [`Pose::IDENTITY`].
@@ -94,6 +105,7 @@ impl<'a> Solid<'a> {
         let [first, rest @ ..] = sheets else {
             return Err(SceneError::NoSheets);
         };
+        let mut body = Self { first: *first, rest, ..Self::new(first.lathe(), color) };
         let (own, mut sheet) = (first.lathe(), 1);
         while sheet < sheets.len() {
             let other = sheets[sheet].lathe();
@@ -103,9 +115,11 @@ impl<'a> Solid<'a> {
             if other.squash() != own.squash() {
                 return Err(SceneError::SheetSquash { sheet, squash: other.squash(), first: own.squash() });
             }
+            body.half_height = body.half_height.max(other.half_height());
+            body.radius = body.radius.max(other.radius());
             sheet += 1;
         }
-        Ok(Self { first: *first, rest, pose: Pose::IDENTITY, color, shininess: 0 })
+        Ok(body)
     }
 
     /// This solid in another pose.
@@ -323,23 +337,13 @@ impl<'a> Solid<'a> {
 
     /// Half the height of the cylinder around the solid, in the world.
     pub(crate) const fn half_height(&self) -> f32 {
-        let (mut largest, mut i) = (self.lathe().half_height(), 0);
-        while i < self.rest.len() {
-            largest = largest.max(self.rest[i].lathe().half_height());
-            i += 1;
-        }
-        largest * self.pose.scale
+        self.half_height * self.pose.scale
     }
 
     /// The radius of the cylinder around the solid, in the world. Infinite if the squash k is zero: then the
     /// solid is endless along x.
     pub(crate) const fn radius(&self) -> f32 {
-        let (mut largest, mut i) = (self.lathe().radius(), 0);
-        while i < self.rest.len() {
-            largest = largest.max(self.rest[i].lathe().radius());
-            i += 1;
-        }
-        largest * self.pose.scale
+        self.radius * self.pose.scale
     }
 }
 

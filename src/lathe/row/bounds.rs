@@ -148,7 +148,6 @@ impl<'a> RowBounds<'a> {
     /// and D are perpendicular. `shift` and `unit` are as in [`RowBounds`]. `rough` is an upper bound of
     /// |x| + |y| + |z| over the origins of the rays, in the frame, if each of them was rounded by itself; it
     /// is zero if they have one origin.
-    #[inline(always)]
     pub fn new(lathe: View<'a>, rays: &RayRow, shift: f32, unit: f32, rough: f32, part: &RowPart) -> Self {
         let (half, center) = (part.half(), part.center());
         let frame = lathe.frame;
@@ -278,7 +277,6 @@ impl RowBounds<'_> {
 /// middle and one pixel after it. `drop` bounds how much F changes from one pixel to the next at the same s.
 /// Between the rays n pixels before the middle and n pixels after it, the difference is n times as large:
 /// x² + y² is quadratic in the pixel's number, and only its linear term differs.
-#[inline(always)]
 fn asymmetry(rays: &RayRow, span: f32, drop: f32) -> f32 {
     let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *rays;
     let odd = dot_xy(m, d1) + dot_xy(m1, d);
@@ -311,7 +309,6 @@ impl Plane {
 
 /// The approximate number of the pixel whose ray passes nearest to a point, counted from the middle of the
 /// part. It is not rounded to a whole number.
-#[inline(always)]
 fn nearest_pixel(rays: &RayRow, point: F32x3) -> f32 {
     let RayRow { origin, origin_step, direction, direction_step } = *rays;
     let there = point - origin;

@@ -114,7 +114,6 @@ impl Sweep<'_> {
     /// The root's own segment, and those before it as long as g is concave in each along every ray of the
     /// row, and the slope jumps between them together raise g by less than a quarter of the tolerance.
     /// (Rounding changes g by another quarter at most.) `is_rising` says whether the rays rise.
-    #[inline(always)]
     fn concave(&self, is_rising: bool) -> Concave<'_> {
         let bounds = &self.bounds;
         let (mut first, mut index, mut slope_jumps) = (self.root.segment, self.root.index, 0.0);

@@ -60,8 +60,8 @@ impl Sweep<'_> {
     /// The s at which the i-th ray passes through the cap or the ring of the last [`Span::Flat`], clear of
     /// its rims and of the point where the rays begin by more than the tolerance. `None` if it does not, if
     /// it comes from the side that is not seen, or if its distance is not certain enough to be compared.
-    // Not `inline(always)`: in a build for size, flash should contain the function only once.
-    #[inline]
+    // Without a hint: in a build for size flash contains the function only once, and in a build for speed the
+    // compiler inlines it.
     pub fn passes(&self, i: u32) -> Option<f32> {
         let (m, d) = self.ray(i);
         let flat = &self.flat;

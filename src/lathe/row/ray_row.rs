@@ -22,7 +22,6 @@ impl RayRow {
     /// Counts the rays from pixel i, and moves each origin along its ray by the same multiple of the
     /// direction, which is returned: the one that brings pixel i's origin to the point of its ray that is
     /// nearest to the origin of the coordinates.
-    #[inline(always)]
     pub fn center_on(&mut self, i: f32) -> f32 {
         let (o, d) = self.at(i);
         let shift = -dot(o, d) / dot(d, d);

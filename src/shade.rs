@@ -6,7 +6,7 @@ use crate::lathe::Seen;
 use crate::light::Light;
 use crate::math::rsqrt;
 use crate::solid::Solid;
-use crate::vector::{F32x3, dot};
+use crate::vector::{F32x3, Vector};
 
 /// A solid's material in the scene's light: the quantities of its color that are the same for every pixel.
 pub(crate) struct Finish {
@@ -43,35 +43,10 @@ impl Finish {
     // speed the compiler inlines it, or the counts in docs/instructions.csv would be higher.
     #[inline]
     pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &F32x3, views: &Views) -> Shades {
-        // Where the surface faces away from the light the cosine is negative: `Share::new` makes it zero.
-        let cosine = Self::cosine(seen, to_light);
-        self.with_highlight::<C>(self.diffuse(cosine), cosine, column, seen, to_light, views)
-    }
-
-    /// The cosine of the angle between the normal and the direction to the light, in the units of a [`Share`].
-    #[inline(always)]
-    pub fn cosine(seen: &Seen, to_light: &F32x3) -> f32 {
-        seen.per_length * dot(seen.gradient, *to_light)
-    }
-
-    /// The color without a highlight, given that cosine. Where the surface faces away from the light it is
-    /// negative: [`Share::new`] makes it zero.
-    #[inline(always)]
-    pub fn diffuse(&self, cosine: f32) -> Shades {
-        self.ambient.with(self.direct.dimmed(Share::new(cosine)))
-    }
-
-    /// The color, given that without a highlight, and the cosine. The rest is as for [`Finish::shades`].
-    #[inline(always)]
-    pub fn with_highlight<C: Paint>(
-        &self,
-        diffuse: Shades,
-        cosine: f32,
-        column: u32,
-        seen: &Seen,
-        to_light: &F32x3,
-        views: &Views,
-    ) -> Shades {
+        // In the units of a share. Where the surface faces away from the light the cosine is negative:
+        // `Share::new` makes it zero.
+        let cosine = seen.per_length * seen.gradient.dot(*to_light);
+        let diffuse = self.ambient.with(self.direct.dimmed(Share::new(cosine)));
         if self.shininess == 0 {
             return diffuse;
         }
@@ -80,10 +55,10 @@ impl Finish {
         diffuse.with_up_to(white.dimmed(share), const { Shades::of(most_shades::<C>()).rounded() })
     }
 
-    /// The share of white that the highlight adds, given [`Seen::pairs`] of what is seen, [`Finish::cosine`], the
-    /// direction to the light, and the column whose ray sees the point.
+    /// The share of white that the highlight adds, given [`Seen::pairs`] of what is seen, the cosine between
+    /// its normal and the direction to the light, in the units of a share, that direction, and the column whose
+    /// ray sees the point.
     #[cold]
-    #[inline(never)]
     fn specular(
         &self,
         seen: [(f32, f32); 2],
@@ -100,11 +75,11 @@ impl Finish {
         // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
         // It has the right sign before v is made a unit vector.
         let twice = 2.0 * cosine * per_length;
-        let rv = dot(*to_light, view) - twice * dot(gradient, view);
+        let rv = to_light.dot(view) - twice * gradient.dot(view);
         if !(rv > 0.0) {
             return Share::NONE;
         }
-        let rv = rv * (rsqrt(dot(view, view)) * (1.0 / Share::UNITS));
+        let rv = rv * (rsqrt(view.dot(view)) * (1.0 / Share::UNITS));
         Share::of_one(Light::highlight(self.shininess, rv))
     }
 }

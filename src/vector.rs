@@ -31,12 +31,9 @@ pub(crate) fn saturated(v: F32x3) -> F32x3 {
     vector([v.x, v.y, v.z].map(|x| lesser(f32::MAX, greater(f32::MIN, x))))
 }
 
-/// The scalar product ⟨a, b⟩. The products come first, so that only the last sum waits for the result just
-/// before it.
-#[inline(always)]
+/// The scalar product ⟨a, b⟩.
 pub(crate) const fn dot(a: F32x3, b: F32x3) -> f32 {
-    let (x, y, z) = (a.x * b.x, a.y * b.y, a.z * b.z);
-    x + y + z
+    a.x * b.x + a.y * b.y + a.z * b.z
 }
 
 /// The scalar product of the x and y components alone.

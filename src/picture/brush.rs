@@ -5,7 +5,6 @@ use crate::color::Paint;
 use crate::lathe::{Seen, Sweep};
 use crate::shade::Finish;
 use crate::vector::{F32x3, Vector};
-use core::ops::Range;
 
 /// What colors a sheet of a solid on a part of a row. The part's pixels are numbered from its left end.
 pub(super) struct Brush<'a> {
@@ -56,18 +55,12 @@ impl<'a> Brush<'a> {
         self.shade(image, at, seen, mirrored)
     }
 
-    /// Paints the pixels of `columns`, those of the part's row that all see the same `seen`. Its pixels are
-    /// `run`.
+    /// Paints neighbouring pixels that all see the same `seen`; the first is in the given column.
     #[inline(never)]
-    pub fn level<C: Paint>(&self, run: &mut [C], columns: Range<u32>, seen: &Seen) {
-        let Self { finish, rays, x, .. } = self;
-        let at = (columns.start - x) as usize..(columns.end - x) as usize;
-        let cosine = Finish::cosine(seen, &finish.to_light);
-        let diffuse = finish.diffuse(cosine);
-        for (pixel, column) in run.get_mut(at).unwrap_or_default().iter_mut().zip(columns) {
-            let (light, views) = (&finish.to_light, &rays.views);
-            let shades = finish.with_highlight::<C>(diffuse, cosine, column, seen, light, views);
-            *pixel = C::shade(shades, column, rays.row.y);
+    pub fn level<C: Paint>(&self, pixels: &mut [C], column: u32, seen: &Seen) {
+        let at = (column - self.x) as usize;
+        for (pixel, at) in pixels.iter_mut().zip(at..) {
+            *pixel = self.color(at, seen);
         }
     }
 

@@ -6,6 +6,8 @@ use crate::camera::Row;
 use crate::color::Paint;
 use crate::lathe::{Seen, Span, Sweep};
 use crate::math::cold_path;
+use core::ops::Range;
+use core::slice;
 
 /// A part of a row of pixels, on which solids are painted one after another.
 pub(super) struct Part<'a, 'b, C> {
@@ -97,14 +99,22 @@ impl<C: Paint> Canvas<'_, '_, C> {
             }
             i += 1;
         }
-        let Self { brush, run, .. } = self;
         if !sweep.is_reversed() {
-            brush.level(run, sweep.right_columns(start..i), seen);
+            self.level(sweep.right_columns(start..i), seen);
         }
-        if sweep.is_reversed() || brush.mirrored.is_some() {
-            brush.level(run, sweep.left_columns(start..i), seen);
+        if sweep.is_reversed() || self.brush.mirrored.is_some() {
+            self.level(sweep.left_columns(start..i), seen);
         }
         i
+    }
+
+    /// Paints the pixels of some columns, which all see the same, if every pixel that sees the solid shows it.
+    fn level(&mut self, columns: Range<u32>, seen: &Seen) {
+        let Self { brush, run, .. } = self;
+        let at = (columns.start - brush.x) as usize..(columns.end - brush.x) as usize;
+        if let Some(pixels) = run.get_mut(at) {
+            brush.level(pixels, columns.start, seen);
+        }
     }
 
     /// Casts the i-th pixel's ray and its mirror image's, and paints what they see. Returns the next pixel.
@@ -136,7 +146,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
             Some(depths) => depths.shown(brush, at, distance),
         };
         if let Some(pixel) = pixel {
-            *pixel = brush.color(at, seen);
+            brush.level(slice::from_mut(pixel), column, seen);
         }
     }
 }

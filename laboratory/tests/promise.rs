@@ -198,6 +198,29 @@ fn a_shoulder_is_not_missed() {
     assert!(decision <= PROMISE && place <= PROMISE, "{hit:?}: {decision} and {place} units");
 }
 
+/// A step by a hair at which the slope rises by much: what the fast path says of the ray includes that rise.
+#[test]
+fn a_slope_that_rises_at_a_step_is_not_missed() {
+    let knots = [-0.32995105, -0.32995105, -0.15492278, -0.15492278, 0.14727473];
+    let ordinates = [
+        0.392923,
+        0.49814606,
+        0.8768854,
+        0.8162081,
+        0.51225674,
+        0.5122516,
+        0.8109802,
+        0.4352292,
+        0.0031784645,
+    ];
+    let (origin, direction) =
+        ([-3.0544715, 0.47903198, -0.82062316_f32], [0.9409121, -0.074034564, 0.3304592_f32]);
+    let [origin, direction] = [origin, direction].map(|v| v.map(f32::to_bits));
+    let (hit, [decision, place]) = units(&knots, &ordinates, 0.7389029, origin, direction);
+    assert!(hit.is_some_and(|hit| hit.enters), "{hit:?}");
+    assert!(decision <= PROMISE && place <= PROMISE, "{hit:?}: {decision} and {place} units");
+}
+
 /// Roots far along a chord from where its cubic is formed: within one unit, t to its last bit but one.
 #[test]
 fn far_roots_are_near() {

@@ -80,7 +80,7 @@ pub(crate) struct Frame {
     pub curvature: f32,
     /// An upper bound of F″/2 between knots, at least [`LEAST_CONVEXITY`].
     pub convexity: f32,
-    /// Half the sum of all slope jumps, those at steps left out.
+    /// Half the sum of all slope jumps, those at steps included.
     pub half_slope_jumps: f32,
     /// The plane of the lower end and that of the upper end.
     pub base: EndPlane,
@@ -109,7 +109,7 @@ pub(crate) struct Bounds {
     pub max_slope: f32,
     pub curvature: f32,
     pub convexity: f32,
-    /// The sum of all slope jumps, those at steps left out.
+    /// The sum of all slope jumps, those at steps included.
     pub slope_jumps: f32,
     /// The sum of all steps of the squared radius from one segment to the next, upwards or downwards.
     pub steps: f32,
@@ -125,10 +125,8 @@ impl Bounds {
             all.max_slope = greater_or_nan(all.max_slope, segment.max_slope);
             all.curvature = greater_or_nan(all.curvature, segment.curvature);
             all.convexity = greater_or_nan(all.convexity, segment.convexity);
-            if segment.slope_jump != f32::INFINITY {
-                all.slope_jumps += segment.slope_jump;
-            }
             if i + 1 < len {
+                all.slope_jumps += segment.slope_jump_to(&segments[i + 1]);
                 all.steps += (segments[i + 1].b[0] - segment.b[3]).abs();
             }
             i += 1;

@@ -119,13 +119,16 @@ impl Segment {
 
     /// This segment with its `slope_jump` computed, given the next segment.
     pub(super) const fn before(self, next: &Self) -> Self {
-        let jump = if self.b[3] == next.b[0] {
-            3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height
-        } else {
-            f32::INFINITY
-        };
-        // A jump of NaN stays NaN.
-        Self { slope_jump: if jump <= 0.0 { 0.0 } else { jump }, ..self }
+        let is_step = self.b[3] != next.b[0];
+        Self { slope_jump: if is_step { f32::INFINITY } else { self.slope_jump_to(next) }, ..self }
+    }
+
+    /// By how much the first derivative by height is larger where the next segment begins than where this one
+    /// ends, or zero if it is not larger. NaN if one of the two is NaN.
+    pub(super) const fn slope_jump_to(&self, next: &Self) -> f32 {
+        let jump =
+            3.0 * (next.b[1] - next.b[0]) * next.per_height - 3.0 * (self.b[3] - self.b[2]) * self.per_height;
+        if jump <= 0.0 { 0.0 } else { jump }
     }
 
     /// What a gradient's components across the axis, `(k·x, y)`, and along it, `−f′(u)/2`, are multiplied by:

@@ -36,6 +36,7 @@ pub mod outlines;
 pub mod peers;
 pub mod readme;
 pub mod sextic;
+pub mod subdivision;
 pub mod tally;
 pub mod troubles;
 pub mod workload;

@@ -39,10 +39,13 @@ pub fn source(body: &Body, origin: &Origin) -> String {
         count => format!(" in {count} sheets"),
     };
     let _ = writeln!(text, "// {}, from {}: {segments} segments{sheets}.", origin.name, origin.source);
+    // As it was asked for, unless it was computed.
+    let tolerance = Some(format!("{:?}", body.tolerance)).filter(|text| text.len() <= 8);
+    let tolerance = tolerance.unwrap_or_else(|| format!("{:.3e}", body.tolerance));
+    let error = body.error;
     let _ = writeln!(
         text,
-        "// Within {:?}{unit} of the drawing; proven for these numbers: {:.3e}{unit}.",
-        body.tolerance, body.error
+        "// Within {tolerance}{unit} of the drawing; proven for these numbers: {error:.3e}{unit}."
     );
     for warning in &body.warnings {
         let _ = writeln!(text, "// Mind: {warning}.");

@@ -31,7 +31,7 @@
 //! | [`Outline`] | [`Piece`]s | a chain of them, checked |
 //! | axis | both sides of the axis | one side, cut where it touches the axis |
 //! | walls | turns in height | walls that only rise or only fall, and flats between them |
-//! | section | corners | smooth stretches, and places for knots |
+//! | section | level places and poles | stretches between them, and places for knots |
 //! | fit | a tolerance | the fewest segments |
 //! | certificate | segments rounded to f32 | how far they are from the section, proven |
 //! | [`Body`] | | sheets with steps, outer and inner |

@@ -21,8 +21,8 @@ pub struct Fit {
     pub tolerance: f64,
     /// Which half to take of an outline that has both. `None` refuses one.
     pub half: Option<Half>,
-    /// At how many places between two corners knots may lie. More of them take longer, as the square of their
-    /// number, and may save a segment.
+    /// At how many places knots may lie between two places where the outline is level or on the axis. More of them
+    /// take longer, as the square of their number, and may save a segment.
     pub places: usize,
 }
 

@@ -8,7 +8,7 @@ use embedded_lathe_outline::{
 use std::{fs, path::PathBuf};
 
 /// File, path, name: in millimeters, within a tenth of one.
-const GALLERY: [(&str, &str, &str); 10] = [
+const GALLERY: [(&str, &str, &str); 11] = [
     ("wine-glass", "glass", "wine-glass"),
     ("bottle", "bottle", "bottle"),
     ("pawn", "pawn", "pawn"),
@@ -19,6 +19,7 @@ const GALLERY: [(&str, &str, &str); 10] = [
     ("bell", "bell", "bell"),
     ("knob", "knob", "knob"),
     ("ring", "ring", "ring"),
+    ("vase", "vase", "vase"),
 ];
 
 const TOLERANCE: f64 = 0.1;

@@ -23,11 +23,11 @@ macro_rules! pasted {
 
 pasted!(
     wine_glass "wine-glass.rs", bottle "bottle.rs", pawn "pawn.rs", queen "queen.rs", bulb_glass "bulb-glass.rs",
-    bulb_base "bulb-base.rs", bowl "bowl.rs", bell "bell.rs", knob "knob.rs", ring "ring.rs"
+    bulb_base "bulb-base.rs", bowl "bowl.rs", bell "bell.rs", knob "knob.rs", ring "ring.rs", vase "vase.rs"
 );
 
 /// File, path, and the solid with its number of sheets.
-const SOLIDS: [(&str, &str, &Solid, usize); 10] = [
+const SOLIDS: [(&str, &str, &Solid, usize); 11] = [
     ("wine-glass", "glass", &wine_glass::WINE_GLASS, 2),
     ("bottle", "bottle", &bottle::BOTTLE, 2),
     ("pawn", "pawn", &pawn::PAWN, 1),
@@ -38,6 +38,7 @@ const SOLIDS: [(&str, &str, &Solid, usize); 10] = [
     ("bell", "bell", &bell::BELL, 3),
     ("knob", "knob", &knob::KNOB, 2),
     ("ring", "ring", &ring::RING, 2),
+    ("vase", "vase", &vase::VASE, 2),
 ];
 
 #[test]

@@ -105,7 +105,7 @@ pub fn measured() {
         frame::<Usual>(name, scene, || rows::<Usual>(scene, &mut row));
     }
     #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
-    frame::<Usual>("sheets of the pawn, a picture each", &scenes::shapes::PAWN_OF_SHEETS, || {
+    frame::<Usual>("sheets of the pawn one by one", &scenes::shapes::PAWN_OF_SHEETS, || {
         scenes::shapes::SHEETS_OF_PAWN.iter().for_each(|scene| rows::<Usual>(scene, &mut row));
     });
     let vase = &scenes::VASE_SCENE;

@@ -4,6 +4,7 @@
 use super::bounds::SPANS;
 use super::sweep::{Start, Sweep};
 use crate::cubic::{Cubic, quadratic_max_on};
+use crate::lathe::frame::Frame;
 use crate::lathe::ray::LocalRay;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
@@ -47,14 +48,24 @@ impl Sweep<'_> {
         if bounds.lathe.is_near_edge(path.z, bounds.tolerance - path.dz.abs()) {
             return Probe::MayMeet(Start { index: usize::MAX, s: 0.0, sign: 0.0 });
         }
-        let exit = if path.rises() { bounds.lathe.frame.len } else { 0 };
-        match self.below_zero(i, &path, 1.0, self.interval(&path), exit) {
-            Ok(to) => Probe::Misses { to },
-            // No crossing is known in any segment: the ray may begin inside, and leave through the far end.
-            Err(UpperBound { start, .. }) => {
-                Probe::MayMeet(start.unwrap_or(Start { index: exit, s: 0.0, sign: 0.0 }))
-            }
+        let Frame { len, ref base, ref top, .. } = *bounds.lathe.frame;
+        let (exit, entry, end) = if path.rises() { (len, base, top) } else { (0, top, base) };
+        let interval = self.interval(&path);
+        let start = match self.below_zero(i, &path, 1.0, interval, exit) {
+            Ok(to) => return Probe::Misses { to },
+            Err(bound) => bound.start,
+        };
+        // No crossing is known in any segment: the ray may leave the solid through the far end, without meeting
+        // it if that end is open, and if the ray begins inside or has come in through an open end.
+        let has_come_in = interval.0 == bounds.start || entry.beyond > 0.0;
+        if start.is_none()
+            && end.beyond > 0.0
+            && has_come_in
+            && let Ok(to) = self.below_zero(i, &path, -1.0, interval, exit)
+        {
+            return Probe::Misses { to };
         }
+        Probe::MayMeet(start.unwrap_or(Start { index: exit, s: 0.0, sign: 0.0 }))
     }
 
     /// Whether sign·g stays below zero by more than the tolerance on an interval of the i-th ray. If so, the

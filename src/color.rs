@@ -1,5 +1,6 @@
 //! The renderer's colors, and the trait of the display colors that it converts them to.
 
+use crate::arithmetic::Share;
 use crate::math::minmax::lesser;
 
 /// A color as a display shows it: red, green and blue from 0 to 1. Light scales the three channels; no gamma
@@ -127,9 +128,8 @@ impl Shades {
 
     /// Each channel of these shades times `share`.
     #[inline(always)]
-    pub(crate) fn dimmed(self, Share(share): Share) -> Self {
-        let part = |shade: u32| ((u64::from(shade) * u64::from(share)) >> 32) as u32;
-        Self { r: part(self.r), g: part(self.g), b: part(self.b) }
+    pub(crate) const fn dimmed(self, share: Share) -> Self {
+        Self { r: share.of(self.r), g: share.of(self.g), b: share.of(self.b) }
     }
 
     /// The sum of these shades and others. It must be below 256 in each channel.
@@ -164,29 +164,6 @@ impl Shades {
             g: self.g.wrapping_add(other.g).min(most.g),
             b: self.b.wrapping_add(other.b).min(most.b),
         }
-    }
-}
-
-/// A number from 0 to 1 in fixed point, in units of 2⁻³². 1 itself is 2³² − 1 units.
-#[derive(Clone, Copy)]
-pub(crate) struct Share(u32);
-
-impl Share {
-    /// The number 0.
-    pub const NONE: Self = Self(0);
-    /// How many units make the number 1.
-    pub const UNITS: f32 = 4_294_967_296.0;
-
-    /// The share of that many units. A negative number and NaN give the share 0; 2³² units and more give the
-    /// share 1.
-    #[inline(always)]
-    pub const fn new(units: f32) -> Self {
-        Self(units as u32)
-    }
-
-    /// The share x, from 0 to 1. A negative x and NaN give 0, an x above 1 gives 1.
-    pub const fn of_one(x: f32) -> Self {
-        Self::new(x * Self::UNITS)
     }
 }
 

@@ -41,9 +41,9 @@
 //! left.
 //!
 //! ```text
-//! message → valid → math → vector → cubic → bernstein → solve → profile → ray → hit → lathe → surface → color
-//!      → scene_error → light → camera → pose → sheet → solid → extent → shade → scene → pick → occlusion
-//!      → framing → picture → draw
+//! message → valid → math → vector → arithmetic → cubic → bernstein → solve → profile → ray → hit → lathe
+//!      → surface → color → scene_error → light → camera → pose → sheet → solid → extent → shade → scene
+//!      → pick → occlusion → framing → picture → draw
 //! ```
 //!
 //! | stage | from | to |
@@ -111,6 +111,7 @@
 //! | *probe* | an upper bound of g along one ray, and the number of neighbours for which it proves a miss |
 //! | *slope jump* | by how much dF/dz rises at a knot |
 //! | *single ray* | a ray cast for one pixel where the row is undecided |
+//! | *arithmetic* | the numbers in which the pixels of a row are computed: floats, or integers where the machine has no FPU |
 //! | *shade* | a step of a display's color channel; `Paint::shade` makes a pixel of three such numbers |
 //!
 //! # What is promised
@@ -135,9 +136,14 @@
 //! - No result is NaN, no call panics, and no ray slips through between two segments.
 //!
 //! The tests check these promises for every solver of [`solve`] with every backend of [`math`], which
-//! supplies square roots and a few other functions. The same source gives the same bits on every machine,
-//! because the renderer uses only additions, multiplications, divisions and correctly rounded square roots,
-//! in a fixed order.
+//! supplies square roots and a few other functions.
+//!
+//! The same source gives the same bits on every machine, because the crate uses only additions,
+//! multiplications, divisions and correctly rounded square roots, in a fixed order. For the pixels of a
+//! picture that holds in each *arithmetic*: floats where the machine has a floating-point unit, integers where
+//! it has none (Cortex-M0, M0+, M3; rv32imc). Both show the same solid in every pixel; the colors differ by
+//! one step of a channel in at most one pixel of 10 000. `RUSTFLAGS='--cfg
+//! embedded_lathe_arithmetic="integers"'` or `"floats"` chooses one for any target.
 //!
 //! # Features
 //!
@@ -152,6 +158,7 @@
 pub mod math;
 pub mod solve;
 
+mod arithmetic;
 mod bernstein;
 mod camera;
 mod color;

@@ -51,24 +51,6 @@ impl Light {
     pub const fn ambient(&self) -> f32 {
         self.ambient
     }
-
-    /// The share of white that the highlight adds where the light falls, given r·v, which is positive.
-    pub(crate) fn highlight(shininess: u8, mirrored: f32) -> f32 {
-        0.5 * power(mirrored, shininess)
-    }
-}
-
-/// x to a whole power, by repeated squaring.
-fn power(mut x: f32, mut exponent: u8) -> f32 {
-    let mut product = 1.0;
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            product *= x;
-        }
-        x *= x;
-        exponent >>= 1;
-    }
-    product
 }
 
 #[cfg(feature = "defmt")]

@@ -1,20 +1,17 @@
 //! What color a visible point of a solid has: its color in ambient light and, by Lambert's law, in direct
 //! light, plus Phong's highlight with a coefficient of ½.
 
-use crate::color::{Paint, Rgb, Shades, Share, most_shades};
-use crate::lathe::Seen;
+use crate::arithmetic::{Seen, Share, ToLight, Views};
+use crate::color::{Paint, Rgb, Shades, most_shades};
 use crate::light::Light;
-use crate::math::rsqrt;
 use crate::solid::Solid;
-use crate::vector::{F32x3, Vector};
 
 /// A solid's material in the scene's light: the quantities of its color that are the same for every pixel.
 pub(crate) struct Finish {
     /// The exponent of the highlight, or zero if the solid is matt.
     shininess: u8,
-    /// The direction to the light, in the solid's own space. Its length is [`Share::UNITS`], so that its dot
-    /// product with a unit normal is the cosine in the fixed-point units of a [`Share`].
-    pub to_light: F32x3,
+    /// The direction to the light, in the solid's own space.
+    pub to_light: ToLight,
     /// The color where no direct light falls, plus the half shade that [`Paint::shade`] expects.
     ambient: Shades,
     /// What direct light adds to the color where it falls along the surface normal.
@@ -30,7 +27,7 @@ impl Finish {
         let ambient = color.dimmed(Share::of_one(light.ambient));
         Self {
             shininess: solid.shininess(),
-            to_light: solid.direction_into(light.towards) * Share::UNITS,
+            to_light: ToLight::new(solid.direction_into(light.towards)),
             ambient: ambient.rounded(),
             direct: color.without(ambient),
         }
@@ -42,52 +39,14 @@ impl Finish {
     // Not `inline(always)`: in a build for size, flash should contain the function only once. In a build for
     // speed the compiler inlines it, or the counts in docs/instructions.csv would be higher.
     #[inline]
-    pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &F32x3, views: &Views) -> Shades {
-        // In the units of a share. Where the surface faces away from the light the cosine is negative:
-        // `Share::new` makes it zero.
-        let cosine = seen.per_length * seen.gradient.dot(*to_light);
-        let diffuse = self.ambient.with(self.direct.dimmed(Share::new(cosine)));
+    pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &ToLight, views: &Views) -> Shades {
+        let cosine = seen.cosine(to_light);
+        let diffuse = self.ambient.with(self.direct.dimmed(cosine.share()));
         if self.shininess == 0 {
             return diffuse;
         }
         let white = const { Shades::of(most_shades::<C>()) };
-        let share = self.specular(seen.pairs(), cosine, to_light, views, column);
+        let share = views.highlight(column, seen.pairs(), cosine, to_light, self.shininess);
         diffuse.with_up_to(white.dimmed(share), const { Shades::of(most_shades::<C>()).rounded() })
     }
-
-    /// The share of white that the highlight adds, given [`Seen::pairs`] of what is seen, the cosine between
-    /// its normal and the direction to the light, in the units of a share, that direction, and the column whose
-    /// ray sees the point.
-    #[cold]
-    fn specular(
-        &self,
-        seen: [(f32, f32); 2],
-        cosine: f32,
-        to_light: &F32x3,
-        views: &Views,
-        column: u32,
-    ) -> Share {
-        let Seen { gradient, per_length } = Seen::of_pairs(seen);
-        if !(cosine > 0.0) {
-            return Share::NONE;
-        }
-        let view = views.first + views.step * column as f32;
-        // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
-        // It has the right sign before v is made a unit vector.
-        let twice = 2.0 * cosine * per_length;
-        let rv = to_light.dot(view) - twice * gradient.dot(view);
-        if !(rv > 0.0) {
-            return Share::NONE;
-        }
-        let rv = rv * (rsqrt(view.dot(view)) * (1.0 / Share::UNITS));
-        Share::of_one(Light::highlight(self.shininess, rv))
-    }
-}
-
-/// The directions of a row's rays, in a solid's own space: `first` that of column 0, `step` the difference
-/// from one column to the next.
-#[derive(Clone, Copy)]
-pub(crate) struct Views {
-    pub first: F32x3,
-    pub step: F32x3,
 }

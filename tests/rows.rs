@@ -1,7 +1,8 @@
 //! Rows of pixels, whose rays are reckoned together, against rays by themselves, over every backend.
 //!
 //! ```text
-//! SCENES=20000 cargo test --release --test rows random -- --nocapture       a hundred times as many, in a minute or two
+//! SCENES=20000 cargo test --release -p embedded-lathe --test rows random -- --nocapture       a hundred times as many, in a minute or two
+//! SCENES=20000 cargo test --release -p embedded-lathe-in-integers --test rows random -- --nocapture       in integers
 //! ```
 
 mod promise;
@@ -126,9 +127,10 @@ fn the_reference_scenes_are_those_of_single_rays() {
     }
 }
 
-/// As many as `SCENES` says, or two hundred.
+/// As many as `SCENES` says, or two hundred; in integers five hundred.
 fn number_of_scenes() -> u32 {
-    std::env::var("SCENES").map_or(200, |number| number.parse().expect("a number"))
+    let usual = if cfg!(embedded_lathe_arithmetic = "integers") { 500 } else { 200 };
+    std::env::var("SCENES").map_or(usual, |number| number.parse().expect("a number"))
 }
 
 /// So many random scenes, each seen by such a camera: rows against single rays.

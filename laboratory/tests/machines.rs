@@ -1,8 +1,8 @@
 //! The same source gives the same bits: every emulated machine computes the pictures and the roots of cubics
-//! that the host computes.
+//! that the host computes in the same arithmetic: floats here, integers in `integers/tests/machines.rs`.
 //!
 //! ```text
-//! cargo test -p embedded-lathe-laboratory --test machines -- --ignored       needs qemu-system-arm, qemu-system-riscv32 and the targets
+//! cargo test --test machines -- --ignored       needs qemu-system-arm, qemu-system-riscv32 and the targets
 //! ```
 
 #[path = "../../examples/machines/checksum.rs"]
@@ -53,18 +53,23 @@ macro_rules! machines {
     )*};
 }
 
+#[cfg(not(embedded_lathe_arithmetic = "integers"))]
+machines! {
+    cortex_m4_with_fpu(firmware::M4F, None);
+    /// The code of a Cortex-M4.
+    cortex_m7_with_fpu(firmware::M4F, Some("mps2-an500"));
+    cortex_m33_with_fpu("thumbv8m.main-none-eabihf", None);
+    riscv_with_fpu("riscv32imafc-unknown-none-elf", None);
+}
+
+#[cfg(embedded_lathe_arithmetic = "integers")]
 machines! {
     /// BBC micro:bit: 16 KiB of RAM.
     cortex_m0(firmware::M0, None);
     cortex_m3(firmware::M3, None);
-    cortex_m4_with_fpu(firmware::M4F, None);
-    /// The code of a Cortex-M4.
-    cortex_m7_with_fpu(firmware::M4F, Some("mps2-an500"));
     cortex_m33_without_fpu("thumbv8m.main-none-eabi", None);
-    cortex_m33_with_fpu("thumbv8m.main-none-eabihf", None);
     /// The instructions of an ESP32-C3.
     riscv_without_fpu("riscv32imc-unknown-none-elf", None);
-    riscv_with_fpu("riscv32imafc-unknown-none-elf", None);
 }
 
 /// Two pictures have one checksum only if they are one: of the scenes here no two have.

@@ -1,4 +1,5 @@
-//! The emulated board's panel shows what the host draws, pixel for pixel: soft float, hard float and host alike.
+//! The emulated board's panel shows what the host draws in the same arithmetic, pixel for pixel: floats here, integers
+//! in `integers/tests/panel.rs`.
 //!
 //! ```text
 //! cargo test --test panel -- --ignored --skip write       needs qemu-system-arm and the two targets
@@ -149,12 +150,14 @@ fn compare(target: &str) {
 }
 
 #[test]
+#[cfg(embedded_lathe_arithmetic = "integers")]
 #[ignore = "needs qemu-system-arm and a target"]
 fn cortex_m3_draws_as_the_host() {
     compare(firmware::M3);
 }
 
 #[test]
+#[cfg(not(embedded_lathe_arithmetic = "integers"))]
 #[ignore = "needs qemu-system-arm and a target"]
 fn cortex_m4f_draws_as_the_host() {
     compare(firmware::M4F);

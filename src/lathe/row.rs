@@ -20,7 +20,6 @@
 mod bounds;
 mod certify;
 mod flat;
-mod normal;
 mod ray_row;
 mod setup;
 mod skip;
@@ -29,6 +28,5 @@ mod sweep;
 mod track;
 
 pub(crate) use bounds::RowPart;
-pub(crate) use normal::Seen;
 pub(crate) use ray_row::RayRow;
 pub(crate) use sweep::{Scale, Span, Sweep};

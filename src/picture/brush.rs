@@ -1,10 +1,10 @@
 //! The colors of one sheet of a solid on a part of a row of pixels.
 
 use super::solid_row::SolidRays;
+use crate::arithmetic::{Seen, ToLight};
 use crate::color::Paint;
-use crate::lathe::{Seen, Sweep};
+use crate::lathe::Sweep;
 use crate::shade::Finish;
-use crate::vector::{F32x3, Vector};
 
 /// What colors a sheet of a solid on a part of a row. The part's pixels are numbered from its left end.
 pub(super) struct Brush<'a> {
@@ -13,7 +13,7 @@ pub(super) struct Brush<'a> {
     /// The mirror image of the direction to the light, if the left half of the row sees the mirror image of
     /// what the right half sees. Then a pixel of the left half gets the color that the pixel opposite, in the
     /// right half, would have in the mirrored light. `None` if each half is swept by itself.
-    pub mirrored: Option<F32x3>,
+    pub mirrored: Option<ToLight>,
     /// The column of the part's first pixel.
     pub x: u32,
 }
@@ -24,14 +24,13 @@ impl<'a> Brush<'a> {
     #[inline(always)]
     pub fn new(finish: Finish, rays: &'a SolidRays<'a>, sweep: &Sweep, x: u32) -> Self {
         let to_light = finish.to_light;
-        let mirrored = sweep.mirror();
-        let mirrored = mirrored.map(|n| to_light - n * (2.0 * n.dot(to_light) / n.dot(n)));
+        let mirrored = sweep.mirror().map(|n| to_light.mirrored(n));
         Self { rays, finish, mirrored, x }
     }
 
     /// The direction to the light, in the solid's own space, not mirrored: [`Finish::to_light`].
     #[inline(always)]
-    pub fn to_light(&self) -> &F32x3 {
+    pub fn to_light(&self) -> &ToLight {
         &self.finish.to_light
     }
 
@@ -51,7 +50,7 @@ impl<'a> Brush<'a> {
     /// `mirrored` is the brush's [`mirrored`](Brush::mirrored) direction; a brush without one has no mirror
     /// images, and the result is of no use.
     #[inline(always)]
-    pub fn image_color<C: Paint>(&self, image: usize, at: usize, seen: &Seen, mirrored: &F32x3) -> C {
+    pub fn image_color<C: Paint>(&self, image: usize, at: usize, seen: &Seen, mirrored: &ToLight) -> C {
         self.shade(image, at, seen, mirrored)
     }
 
@@ -66,7 +65,7 @@ impl<'a> Brush<'a> {
 
     /// The color of the pixel `to`: that of what the pixel `at` sees in light from the direction `to_light`.
     #[inline(always)]
-    fn shade<C: Paint>(&self, to: usize, at: usize, seen: &Seen, to_light: &F32x3) -> C {
+    fn shade<C: Paint>(&self, to: usize, at: usize, seen: &Seen, to_light: &ToLight) -> C {
         let shades = self.finish.shades::<C>(self.column(at), seen, to_light, &self.rays.views);
         C::shade(shades, self.column(to), self.rays.row.y)
     }

@@ -2,9 +2,10 @@
 
 use super::brush::Brush;
 use super::depth::Depths;
+use crate::arithmetic::Seen;
 use crate::camera::Row;
 use crate::color::Paint;
-use crate::lathe::{Seen, Span, Sweep};
+use crate::lathe::{Span, Sweep};
 use crate::math::cold_path;
 use core::ops::Range;
 use core::slice;
@@ -76,7 +77,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
                 // The pixels are those of `depths`, and `run` is empty: so where no distances are compared, the
                 // loop does not ask for them.
                 cold_path();
-                depths.both(brush, at, seen.pairs(), s);
+                depths.both(brush, at, seen.pairs(), s.float());
             }
             at = at.wrapping_add(step);
         })

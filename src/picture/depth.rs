@@ -6,8 +6,9 @@
 
 use super::brush::Brush;
 use super::solid_row::SolidRays;
+use crate::arithmetic::{Pairs, Seen};
 use crate::color::Paint;
-use crate::lathe::{Scale, Seen, Sweep};
+use crate::lathe::{Scale, Sweep};
 use crate::math::cold_path;
 use crate::math::minmax::{greater, lesser};
 use crate::occlusion::PaintOrder;
@@ -52,7 +53,7 @@ impl<'a, C: Paint> Depths<'a, C> {
     /// the solid there. The sweep has found a root of the pixel's ray at s. `seen` is what the pixel sees
     /// there: the four numbers of a [`Seen`], as [`Seen::pairs`] returns them.
     #[inline(never)]
-    pub fn both(&mut self, brush: &Brush, at: usize, seen: [(f32, f32); 2], s: f32) {
+    pub fn both(&mut self, brush: &Brush, at: usize, seen: Pairs, s: f32) {
         let (seen, distance) = (&Seen::of_pairs(seen), self.scale.distance(s));
         if let Some(pixel) = self.shown(brush, at, distance) {
             *pixel = brush.color(at, seen);

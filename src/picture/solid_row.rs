@@ -1,10 +1,10 @@
 //! A solid along a row of pixels: its sweep, and the rays that the sweep leaves to be cast one by one.
 
+use crate::arithmetic::{Seen, Views};
 use crate::camera::{Projection, Row};
 use crate::hit::Hit;
-use crate::lathe::{RayRow, RowPart, Seen, Sweep};
+use crate::lathe::{RayRow, RowPart, Sweep};
 use crate::ray::Ray;
-use crate::shade::Views;
 use crate::sheet::Sheet;
 use crate::solid::Solid;
 use crate::solve::Newton;
@@ -46,7 +46,7 @@ impl<'a> SolidRow<'a> {
         let rays = RayRow { origin, origin_step, direction, direction_step };
         let part = RowPart { width: row.width, start, end, has_depth };
         let sweep = sheet.lathe().sweep(&rays, unit, row.origin_bound(), &part);
-        let views = Views { first: direction, step: direction_step };
+        let views = Views::new(direction, direction_step, end);
         Self { rays: SolidRays { solid, sheet, row, views }, sweep }
     }
 }

@@ -2,6 +2,7 @@
 //! which pixel to begin.
 
 use super::ray_row::RayRow;
+use crate::arithmetic::Numbers;
 use crate::lathe::frame::{LENGTH_TOLERANCE, View};
 use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
@@ -56,6 +57,8 @@ pub(crate) struct RowPart {
 /// What is known of all rays of a part of a row.
 pub(super) struct RowBounds<'a> {
     pub lathe: View<'a>,
+    /// How the numbers of a tracked root are held.
+    pub numbers: Numbers,
     /// Whether none of the rays comes near the solid.
     pub is_culled: bool,
     /// Whether the bounds are of use. They are not if the rays spread too wide; if they begin so far away
@@ -160,7 +163,11 @@ impl<'a> RowBounds<'a> {
         let across = half * (dot(m, d1) + dot(m1, d)).abs() + half * half * dot(m1, d1).abs();
         let span = (across / length + frame.size) / length;
         let distance = shift.abs() * length + frame.size + rough;
-        let slip = LENGTH_TOLERANCE * distance;
+        // D² is convex in the pixel's number, and so largest at an end of the row. The factor is for
+        // rounding, of D as well.
+        let longest = (2.0 * square - least + half * half * dot(d1, d1)) * (1.0 + 1.0 / 1024.0);
+        let numbers = Numbers::new(span, longest);
+        let slip = numbers.slip(LENGTH_TOLERANCE * distance);
         let tolerance = TOLERANCE + 2.0 * slip;
         // If any of the rays meets the ball, the middle one meets a ball that is larger by the distance
         // between the two rays.
@@ -207,13 +214,11 @@ impl<'a> RowBounds<'a> {
             let pixel = center + nearest_pixel(rays, vector([0.0, 0.0, height]));
             part.start.max(part.end.min((pixel + 0.5) as u32))
         };
-        // D² is convex in the pixel's number, and so largest at an end of the row. The factor is for
-        // rounding, of D as well.
-        let longest = (2.0 * square - least + half * half * dot(d1, d1)) * (1.0 + 1.0 / 1024.0);
         let has_one_side = is_usable && d.z.abs() > half * d1.z.abs();
         let least_slope = if part.has_depth { 0.0625 * Native::sqrt(longest) } else { 0.0 };
         Self {
             lathe,
+            numbers,
             is_culled,
             is_usable,
             start,

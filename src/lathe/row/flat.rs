@@ -6,8 +6,8 @@
 //! part: all of the solid lies beyond the plane. On any other plane it is seen if g keeps its sign on the way
 //! there, which a probe certifies.
 
-use super::normal::Seen;
 use super::sweep::{Flat, Span, Sweep};
+use crate::arithmetic::Seen;
 use crate::lathe::frame::KnotPlane;
 use crate::math::minmax::{greater, lesser};
 

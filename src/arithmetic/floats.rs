@@ -1,0 +1,176 @@
+//! Pixels in f32, for machines with an FPU.
+
+use super::Share;
+use crate::math::rsqrt;
+use crate::vector::{F32x3, Vector, vector};
+
+/// How the numbers of a sweep are held: as they are, whatever the row.
+#[derive(Clone, Copy)]
+pub(crate) struct Numbers;
+
+impl Numbers {
+    /// How the numbers of a row are held, given its `span` and a bound of D².
+    #[inline(always)]
+    pub fn new(_span: f32, _longest: f32) -> Self {
+        Self
+    }
+
+    /// How far rounding can move a point, given how far it does in floats.
+    #[inline(always)]
+    pub fn slip(self, slip: f32) -> f32 {
+        slip
+    }
+}
+
+/// The s of a tracked root.
+#[derive(Clone, Copy)]
+pub(crate) struct Length(pub f32);
+
+impl Length {
+    /// The length as a float.
+    #[inline(always)]
+    pub fn float(self) -> f32 {
+        self.0
+    }
+}
+
+/// A visible sample of the surface.
+#[derive(Clone, Copy)]
+pub(crate) struct Seen {
+    /// A vector of any length along the surface normal, on the side that is seen, in object space.
+    gradient: F32x3,
+    /// One over the length of `gradient`.
+    per_length: f32,
+}
+
+/// What [`Seen::pairs`] returns.
+pub(crate) type Pairs = [(f32, f32); 2];
+
+/// The direction to the light in a solid's own space. Its length is [`Share::UNITS`], so that its dot product
+/// with a unit normal is the cosine in the units of a [`Share`].
+#[derive(Clone, Copy)]
+pub(crate) struct ToLight(F32x3);
+
+/// The cosine of an angle, in the units of a [`Share`].
+#[derive(Clone, Copy)]
+pub(crate) struct Cosine(f32);
+
+/// The directions of a row's rays in a solid's own space: `first` that of column 0, `step` the difference
+/// from one column to the next.
+#[derive(Clone, Copy)]
+pub(crate) struct Views {
+    first: F32x3,
+    step: F32x3,
+}
+
+impl ToLight {
+    /// The direction of a unit vector.
+    #[inline(always)]
+    pub fn new(unit: F32x3) -> Self {
+        Self(unit * Share::UNITS)
+    }
+
+    /// Its mirror image in the plane with the normal n.
+    #[inline(always)]
+    pub fn mirrored(self, n: F32x3) -> Self {
+        Self(self.0 - n * (2.0 * n.dot(self.0) / n.dot(n)))
+    }
+}
+
+impl Views {
+    /// The directions of the columns before `end`.
+    #[inline(always)]
+    pub fn new(first: F32x3, step: F32x3, _end: u32) -> Self {
+        Self { first, step }
+    }
+}
+
+impl Seen {
+    /// The sample whose normal points along `gradient`. The square of that must be a normal number: positive,
+    /// and neither subnormal nor infinite.
+    #[inline(always)]
+    pub fn new(gradient: F32x3) -> Self {
+        Self { gradient, per_length: rsqrt(gradient.dot(gradient)) }
+    }
+
+    /// The sample as pairs of numbers. A function that is not inlined takes such pairs in registers. A sample
+    /// it would take by reference: then the loop would store each sample on the stack, whether it makes the
+    /// call or not.
+    #[inline(always)]
+    pub fn pairs(&self) -> Pairs {
+        let Self { gradient: F32x3 { x, y, z }, per_length } = *self;
+        [(x, y), (z, per_length)]
+    }
+
+    /// The sample of these [`pairs`](Seen::pairs).
+    #[inline(always)]
+    pub fn of_pairs([(x, y), (z, per_length)]: Pairs) -> Self {
+        Self { gradient: vector([x, y, z]), per_length }
+    }
+
+    /// The sample of a cap or a ring, seen from above if `up` is 1, and from below if it is −1: its normal
+    /// points to the side from which it is seen.
+    #[inline(always)]
+    pub fn flat(up: f32) -> Self {
+        Self { gradient: vector([0.0, 0.0, up]), per_length: 1.0 }
+    }
+
+    /// The cosine of the angle between the normal and the direction to the light.
+    #[inline(always)]
+    pub fn cosine(&self, ToLight(to_light): &ToLight) -> Cosine {
+        Cosine(self.per_length * self.gradient.dot(*to_light))
+    }
+}
+
+impl Cosine {
+    /// The cosine as a share; zero where the surface faces away from the light.
+    #[inline(always)]
+    pub fn share(self) -> Share {
+        // `Share::new` makes a negative number zero.
+        Share::new(self.0)
+    }
+}
+
+impl Views {
+    /// Phong's highlight with a coefficient of ½: half the power of the cosine between the light's direction,
+    /// mirrored at the normal, and the direction towards the eye, of a column's ray. Given are what is seen,
+    /// as [`Seen::pairs`], and [`Seen::cosine`]. It is zero where the surface faces away from the light, or
+    /// the mirrored light away from the eye.
+    #[cold]
+    pub fn highlight(
+        &self,
+        column: u32,
+        seen: Pairs,
+        Cosine(cosine): Cosine,
+        ToLight(to_light): &ToLight,
+        shininess: u8,
+    ) -> Share {
+        let Seen { gradient, per_length } = Seen::of_pairs(seen);
+        if !(cosine > 0.0) {
+            return Share::NONE;
+        }
+        let view = self.first + self.step * column as f32;
+        // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
+        // It has the right sign before v is made a unit vector.
+        let twice = 2.0 * cosine * per_length;
+        let rv = to_light.dot(view) - twice * gradient.dot(view);
+        if !(rv > 0.0) {
+            return Share::NONE;
+        }
+        let rv = rv * (rsqrt(view.dot(view)) * (1.0 / Share::UNITS));
+        Share::of_one(0.5 * power(rv, shininess))
+    }
+}
+
+/// x to a whole power, by repeated squaring.
+fn power(mut x: f32, mut exponent: u8) -> f32 {
+    let mut product = 1.0;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            product *= x;
+        }
+        x *= x;
+        exponent >>= 1;
+    }
+    product
+}

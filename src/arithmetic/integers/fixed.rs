@@ -1,0 +1,117 @@
+//! Numbers in fixed point, and their products.
+
+use crate::vector::F32x3;
+
+/// The high word of a signed product: `a·b/2³²`, rounded down.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+pub(crate) const fn high(a: i32, b: i32) -> i32 {
+    ((a as i64 * b as i64) >> 32) as i32
+}
+
+/// The high word of a signed product: `a·b/2³²`, rounded down. ARMv6-M, which multiplies to 32 bits only, is
+/// told from other Arm cores by its lack of atomic exchanges. Four products of halves give the same bits in
+/// half of the time that the compiler's 64-bit product takes there.
+// Not `inline(always)`: in a build for size, flash should contain it only once.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline]
+pub(crate) const fn high(a: i32, b: i32) -> i32 {
+    let (a1, a0, b1, b0) = (a >> 16, a & 0xffff, b >> 16, b & 0xffff);
+    let low = (a0 as u32 * b0 as u32) >> 16;
+    let middle = a1 * b0 + low as i32;
+    let rest = a0 * b1 + (middle & 0xffff);
+    a1 * b1 + (middle >> 16) + (rest >> 16)
+}
+
+/// The square of a number.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+pub(crate) const fn wide_square(x: i32) -> u64 {
+    (x as i64 * x as i64) as u64
+}
+
+/// The square of a number, by its halves on ARMv6-M, see [`high`].
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline]
+pub(crate) const fn wide_square(x: i32) -> u64 {
+    let x = x.unsigned_abs();
+    let (x1, x0) = (x >> 16, x & 0xffff);
+    (((x1 * x1) as u64) << 32 | (x0 * x0) as u64) + (((x1 * x0) as u64) << 17)
+}
+
+/// The number x in units of 2^−`bits`, rounded to the nearest. Beyond the range of `i32` it is ±`i32::MAX`;
+/// so are infinity and NaN.
+#[inline(never)]
+pub(crate) const fn fixed(x: f32, bits: i32) -> i32 {
+    let raw = x.to_bits();
+    // A normal x is its mantissa times 2^(exponent − 150). For zero and subnormal x this mantissa is wrong,
+    // but below half a unit, as long as there are fewer than 126 bits.
+    let mantissa = raw as i32 & 0x7f_ffff | 0x80_0000;
+    let shift = (raw >> 23 & 0xff) as i32 - 150 + bits;
+    let magnitude = if shift > 7 {
+        i32::MAX
+    } else if shift >= 0 {
+        mantissa << shift
+    } else if shift > -26 {
+        ((mantissa >> (-1 - shift)) + 1) >> 1
+    } else {
+        0
+    };
+    if x.is_sign_negative() { -magnitude } else { magnitude }
+}
+
+/// The components of a vector in units of 2^−`bits`, each as by [`fixed`].
+// Always inline: a result that is returned in memory is copied from there by `memcpy`.
+#[inline(always)]
+pub(crate) fn fixed_vector(v: F32x3, bits: i32) -> [i32; 3] {
+    [fixed(v.x, bits), fixed(v.y, bits), fixed(v.z, bits)]
+}
+
+/// The least e with |x| < 2^e, for normal x.
+#[inline(always)]
+pub(crate) const fn exponent(x: f32) -> i32 {
+    (x.to_bits() >> 23 & 0xff) as i32 - 126
+}
+
+/// 2^e; 2⁻¹²⁶ for a lower e, 2¹²⁷ for a higher one.
+#[inline(always)]
+pub(crate) fn power_of_two(e: i32) -> f32 {
+    f32::from_bits(((127 + e.clamp(-126, 127)) as u32) << 23)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{exponent, fixed, high, power_of_two};
+
+    /// Products of halves, as on ARMv6-M, and whole ones.
+    #[test]
+    fn the_high_word_is_that_of_the_product() {
+        for a in [0, 1, -1, 77, -123_456, 0x7fff_ffff, -0x8000_0000, 0x1234_5678, -0x7654_ffff] {
+            for b in [0, 1, -1, 0xffff, -0x1_0000, 0x7fff_ffff, -0x8000_0000, 0x0fed_cba9, -0x0000_8000] {
+                assert_eq!(i64::from(high(a, b)), (i64::from(a) * i64::from(b)) >> 32, "{a}·{b}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_number_is_rounded_to_the_nearest_unit() {
+        assert_eq!([fixed(0.75, 2), fixed(0.374, 2), fixed(-0.376, 2), fixed(0.0, 30)], [3, 1, -2, 0]);
+        assert_eq!(
+            [fixed(0.1, 20), fixed(-1.0, 30), fixed(1.999_999_9, 30)],
+            [104_858, -1 << 30, 0x7fff_ff80]
+        );
+        assert_eq!(
+            [fixed(1.0, 31), fixed(-9e9, 3), fixed(f32::INFINITY, -40)],
+            [i32::MAX, -i32::MAX, i32::MAX]
+        );
+        assert_eq!([fixed(1e-30, 31), fixed(f32::MIN_POSITIVE / 4.0, 100), fixed(9e9, -40)], [0; 3]);
+    }
+
+    #[test]
+    fn exponents_are_those_of_powers() {
+        for (x, e) in [(1.0, 1), (0.999, 0), (-4.0, 3), (3.999, 2), (1e-3, -9)] {
+            assert_eq!(exponent(x), e, "{x}");
+            assert!(x.abs() < power_of_two(e) && x.abs() >= power_of_two(e - 1));
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! What a ray sees of the surface, and in what light.
+
+use super::{exponent, fixed_vector, high, inverse_root, square};
+use crate::arithmetic::Share;
+use crate::vector::{F32x3, Vector, largest, vector};
+
+/// A visible sample of the surface.
+#[derive(Clone, Copy)]
+pub(crate) struct Seen {
+    pub direction: Direction,
+}
+
+/// A vector of some length from 1/4 to 1.
+#[derive(Clone, Copy)]
+pub(crate) struct Direction {
+    /// Its components, in units of 2⁻³⁰.
+    pub along: [i32; 3],
+    /// One over its length, in units of 2⁻²⁹.
+    pub per_length: i32,
+}
+
+/// What [`Seen::pairs`] returns.
+pub(crate) type Pairs = [(i32, i32); 2];
+
+/// The direction to the light in a solid's own space: a unit vector, in units of 2⁻³¹.
+#[derive(Clone, Copy)]
+pub(crate) struct ToLight([i32; 3]);
+
+/// The cosine of an angle, in units of 2⁻²⁸.
+#[derive(Clone, Copy)]
+pub(crate) struct Cosine(i32);
+
+/// The directions of a row's rays in a solid's own space: `first` that of column 0, `step` the difference
+/// from one column to the next.
+#[derive(Clone, Copy)]
+pub(crate) struct Views {
+    /// In units in which no component of any of the directions exceeds 2²⁹.
+    first: [i32; 3],
+    /// In units of 2^−`finer` of those: rounding, times a column's number, is half a unit of `first` at most.
+    step: [i32; 3],
+    finer: u32,
+}
+
+impl ToLight {
+    /// The direction of a unit vector.
+    #[inline(always)]
+    pub fn new(unit: F32x3) -> Self {
+        Self(fixed_vector(unit, 31))
+    }
+
+    /// Its mirror image in the plane with the normal n.
+    pub fn mirrored(self, n: F32x3) -> Self {
+        let to_light = vector(self.0.map(|x| x as f32 * (1.0 / (1_u32 << 31) as f32)));
+        Self::new(to_light - n * (2.0 * n.dot(to_light) / n.dot(n)))
+    }
+}
+
+impl Views {
+    /// The directions of the columns before `end`.
+    #[inline(always)]
+    pub fn new(first: F32x3, step: F32x3, end: u32) -> Self {
+        let finer = u32::BITS - end.leading_zeros();
+        // Each of the two terms of a direction is less than 2^most.
+        let most = exponent(largest(first)).max(exponent(largest(step)) + finer as i32);
+        let (first, step) = (fixed_vector(first, 28 - most), fixed_vector(step, 28 - most + finer as i32));
+        Self { first, step, finer }
+    }
+
+    /// The direction of a column's ray.
+    fn of(&self, column: u32) -> Direction {
+        let step = self.step.map(|step| ((i64::from(step) * i64::from(column)) >> self.finer) as i32);
+        Direction::new([self.first[0] + step[0], self.first[1] + step[1], self.first[2] + step[2]])
+    }
+}
+
+impl Direction {
+    /// The direction of a vector that is not zero. No component may exceed 2²⁹.
+    fn new(mut along: [i32; 3]) -> Self {
+        let mut square = square(along);
+        // From 2⁵⁸ to 2⁶⁰: the length is from 2²⁹ to 2³⁰, that is from 1/2 to 1. So is the largest component
+        // at most.
+        while square < 1 << 58 && square > 0 {
+            (along, square) = (along.map(|x| x << 1), square << 2);
+        }
+        // Zero is no direction; it is given a length.
+        let square = square.clamp(1 << 58, (1 << 60) - 1);
+        let square = (square >> 30) as i32;
+        // The chord of 1/√x from x = 1/4 to 1, 7/3 − 4/3·x, is nowhere a fifth above the root.
+        let chord = (7.0 / 3.0 * (1 << 29) as f32) as i32 - square + high(square, (u32::MAX / 3) as i32);
+        Self { along, per_length: inverse_root(square, chord) }
+    }
+
+    /// The scalar product with another vector, over the length of this one: 28 bits, if the other's has 31.
+    /// The other's length may be at most 1.
+    #[inline(always)]
+    fn dot(&self, [x, y, z]: [i32; 3]) -> i32 {
+        let [along_x, along_y, along_z] = self.along;
+        let product = high(along_x, x) + high(along_y, y) + high(along_z, z);
+        high(product << 2, self.per_length)
+    }
+}
+
+impl Seen {
+    /// The sample whose normal points along `gradient`. The square of that must be a normal number: positive,
+    /// and neither subnormal nor infinite.
+    #[inline(never)]
+    pub fn new(gradient: F32x3) -> Self {
+        let bits = 29 - exponent(largest(gradient));
+        Self { direction: Direction::new(fixed_vector(gradient, bits)) }
+    }
+
+    /// The sample as pairs of numbers. A function that is not inlined takes such pairs in registers. A sample
+    /// it would take by reference: then the loop would store each sample on the stack, whether it makes the
+    /// call or not.
+    #[inline(always)]
+    pub fn pairs(&self) -> Pairs {
+        let Direction { along: [x, y, z], per_length } = self.direction;
+        [(x, y), (z, per_length)]
+    }
+
+    /// The sample of these [`pairs`](Seen::pairs).
+    #[inline(always)]
+    pub fn of_pairs([(x, y), (z, per_length)]: Pairs) -> Self {
+        Self { direction: Direction { along: [x, y, z], per_length } }
+    }
+
+    /// The sample of a cap or a ring, seen from above if `up` is 1, and from below if it is −1: its normal
+    /// points to the side from which it is seen.
+    pub fn flat(up: f32) -> Self {
+        let z = if up > 0.0 { 1 << 29 } else { -1 << 29 };
+        Self { direction: Direction { along: [0, 0, z], per_length: 1 << 30 } }
+    }
+
+    /// The cosine of the angle between the normal and the direction to the light.
+    #[inline(always)]
+    pub fn cosine(&self, ToLight(to_light): &ToLight) -> Cosine {
+        Cosine(self.direction.dot(*to_light))
+    }
+}
+
+impl Cosine {
+    /// The cosine as a share; zero where the surface faces away from the light.
+    #[inline(always)]
+    pub fn share(self) -> Share {
+        Share::of_units((self.0.clamp(0, (1 << 28) - 1) as u32) << 4)
+    }
+}
+
+impl Views {
+    /// Phong's highlight with a coefficient of ½: half the power of the cosine between the light's direction,
+    /// mirrored at the normal, and the direction towards the eye, of a column's ray. Given are what is seen,
+    /// as [`Seen::pairs`], and [`Seen::cosine`]. It is zero where the surface faces away from the light, or
+    /// the mirrored light away from the eye.
+    #[cold]
+    #[inline(never)]
+    pub fn highlight(
+        &self,
+        column: u32,
+        seen: Pairs,
+        Cosine(cosine): Cosine,
+        ToLight(to_light): &ToLight,
+        shininess: u8,
+    ) -> Share {
+        if cosine <= 0 {
+            return Share::NONE;
+        }
+        let (normal, view) = (Seen::of_pairs(seen).direction, self.of(column));
+        // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye. All
+        // have 28 bits, but n·v, which has 27, since those of a direction are 30, not 31.
+        let nv = high(normal.dot(view.along) << 3, view.per_length);
+        let rv = view.dot(*to_light) - (high(cosine << 2, nv << 3) << 1);
+        let (mut x, mut product, mut exponent) = (Cosine(rv).share(), Share::of_units(u32::MAX), shininess);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                product = Share::of_units(x.of(product.units()));
+            }
+            x = Share::of_units(x.of(x.units()));
+            exponent >>= 1;
+        }
+        Share::of_units(product.units() >> 1)
+    }
+}

@@ -1,0 +1,130 @@
+//! The innermost loop in floats.
+
+use crate::arithmetic::floats::{Length, Numbers, Seen};
+use crate::lathe::row::sweep::{STEPS, Sweep, TrackEnd};
+use crate::lathe::segment::Segment;
+use crate::math::cold_path;
+use crate::math::minmax::greater;
+use crate::vector::{F32x3, dot_xy, vector};
+
+impl Numbers {
+    /// Does what [`Sweep::track`] does.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn track(
+        self,
+        sweep: &mut Sweep,
+        mut i: u32,
+        to: u32,
+        mut see: impl FnMut(&Seen, Length),
+    ) -> u32 {
+        let Sweep { bounds, root, .. } = &*sweep;
+        let (segment, sign) = (root.segment, root.sign);
+        let wall = Wall::new(segment, sign, bounds.lathe.frame.root_squash);
+        // Where a ray leaves the solid, the reversed ray enters it. So for sign = −1 the ray is reversed. It
+        // is also mirrored in the plane y = 0, since `Wall::seen` takes `sign·y`.
+        let point = |p: F32x3, low: f32| vector([p.x, sign * p.y, (p.z - low) * segment.per_height]);
+        let toward = |d: F32x3| vector([sign * d.x, d.y, d.z * (sign * segment.per_height)]);
+        let (m, d) = sweep.ray(i);
+        let (mut m, mut d) = (point(m, segment.low), toward(d));
+        let rays = &sweep.direction.rays;
+        let (m1, d1) = (point(rays.origin_step, 0.0), toward(rays.direction_step));
+        let [c0, c1, c2, c3] = segment.f;
+        // If the rays begin near the solid, each root is to be compared with that place.
+        let certain = if bounds.start > f32::NEG_INFINITY { f32::INFINITY } else { root.certificate.slope };
+        let step_tolerance = root.certificate.own.step_tolerance;
+        // Within the tolerance of the solid's ends and of steps, in height, the row decides nothing.
+        let pad = bounds.tolerance * segment.per_height;
+        let knot_pad = bounds.knot_tolerance * segment.per_height;
+        let from = if root.index == 0 { pad } else { knot_pad };
+        let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
+        let width = greater(0.0, 1.0 - from - to_end).to_bits();
+        let (mut s, mut step, mut bend) = (root.s, root.step, root.bend);
+        let start = i;
+
+        let mut end = TrackEnd::Limit;
+        'pixels: while i < to {
+            let predicted = s;
+            let mut tries = STEPS;
+            loop {
+                let (x, y, u) = (m.x + s * d.x, m.y + s * d.y, m.z + s * d.z);
+                let c3u = c3 * u;
+                let p2 = c3u + c2;
+                let p1 = p2 * u + c1;
+                let f = p1 * u + c0;
+                let f1 = (c3u + p2) * u + p1;
+                let b = x * d.x + y * d.y;
+                let slope = f1 * d.z - (b + b);
+                let back = (f - (x * x + y * y)) / slope;
+                s -= back;
+                // After a step the error is at most `back²·|g″/2|/slope`. If the slope is NaN or negative,
+                // the test fails.
+                if !(back * back <= step_tolerance * slope) {
+                    cold_path();
+                    tries -= 1;
+                    if tries == 0 || !(slope > 0.0) {
+                        end = TrackEnd::Diverged;
+                        break 'pixels;
+                    }
+                    continue;
+                }
+                let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
+                // As unsigned integers, the bits of a negative number or a NaN exceed those of `width`.
+                if (u - from).to_bits() > width {
+                    end = TrackEnd::Left { upper: u > 0.5 };
+                    break 'pixels;
+                }
+                if !(slope > certain || sweep.is_nearest_at(u, sign * s, slope, back, dot_xy(d, d), d.z)) {
+                    end = TrackEnd::Uncertified;
+                    break 'pixels;
+                }
+                see(&wall.seen(x, y, u), Length(sign * s));
+                break;
+            }
+            // s is predicted from its first difference, `step`, and its second one, `bend`. The error of the
+            // prediction that was just corrected is added to `bend`.
+            bend += s - predicted;
+            step += bend;
+            s += step + bend;
+            m += m1;
+            d += d1;
+            i += 1;
+        }
+        let root = &mut sweep.root;
+        (root.s, root.step, root.bend, root.end) = (s, step, bend, Some(end));
+        if i > start {
+            root.tries = STEPS;
+        }
+        i
+    }
+}
+
+/// What the normals of a segment's wall are computed from, at the points of a tracked root.
+struct Wall {
+    /// √k times the root's sign.
+    signed_squash: f32,
+    /// The coefficients of −½·dF/dz times the root's sign, in powers of u, constant term first.
+    e: [f32; 3],
+}
+
+impl Wall {
+    /// The wall of a segment, seen from outside at a root where rays enter the solid (`sign` is 1), from
+    /// inside at one where they leave it (−1). `root_squash` is √k.
+    #[inline(always)]
+    fn new(segment: &Segment, sign: f32, root_squash: f32) -> Self {
+        let Segment { per_height, f: [_, c1, c2, c3], .. } = *segment;
+        let along = -0.5 * sign * per_height;
+        Self { signed_squash: sign * root_squash, e: [along * c1, along * 2.0 * c2, along * 3.0 * c3] }
+    }
+
+    /// What is seen at a point of the wall, given its x, scaled by √k, its y times the root's sign, and its
+    /// parameter u in the segment.
+    ///
+    /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`, of which √k·x is the given
+    /// x. It points outwards. If the wall is seen from inside, all three components change their signs: those
+    /// of x and z because `signed_squash` and `e` contain the root's sign, that of y because `signed_y` does.
+    #[inline(always)]
+    fn seen(&self, x: f32, signed_y: f32, u: f32) -> Seen {
+        let [e0, e1, e2] = self.e;
+        Seen::new(vector([self.signed_squash * x, signed_y, (e2 * u + e1) * u + e0]))
+    }
+}

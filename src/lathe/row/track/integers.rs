@@ -1,0 +1,213 @@
+//! The innermost loop in integers.
+//!
+//! | number | bits behind the point |
+//! |---|---|
+//! | s, and its changes | `numbers.s` |
+//! | D, and its step | `numbers.d` |
+//! | M, its step, and a point's x, y and z | `numbers.p` |
+//! | v, the parameter of a segment's cubic | 31 |
+//! | x and y before they are squared | 29 − block |
+//! | f and g | 26 − 2·block |
+//!
+//! Additions are exact, and wrap around where a result is not used. M is in range where its ray meets the
+//! solid, and s·D always; so, if the sum of both wraps around, it is out of the range in which x, y and z are
+//! used. From a point in that range everything is computed without overflow. What is accepted depends on the
+//! point alone, not on how the loop came to it.
+
+mod gradient;
+mod shift;
+mod wall;
+
+use crate::arithmetic::integers::{Length, Numbers, Seen, exponent, fixed, fixed_vector, high, power_of_two};
+use crate::lathe::row::sweep::{STEPS, Sweep, TrackEnd};
+use crate::math::cold_path;
+use crate::math::minmax::greater;
+use crate::vector::{F32x3, dot_xy, vector};
+use gradient::Gradient;
+use wall::Wall;
+
+/// With a larger [`Wall::block`] no root is tracked. With this one rounding changes g by less than the
+/// additions of a run do in floats, 2⁻¹⁶: the coefficients of f, its three products, two squares and their
+/// sums, each rounded by half a unit to two units, are off by 10 units of 2^(2·block − 26) together.
+///
+/// Where f is between 0 and 4, its coefficients in powers of 2·v/h′, with h′ from 1/2 to 1, are those of
+/// Chebyshev's cubic at most: 4, 6, 4 and 8. Of all such cubics those with the sum of [`Wall::block`] above
+/// 2¹⁰, which asks for a larger block, have a coefficient near the largest and an h′ near 1/2.
+const MOST_BLOCK: i32 = 3;
+
+/// Whether x is from −limit to before limit.
+#[inline(always)]
+fn is_within(x: i32, limit: i32) -> bool {
+    (x.wrapping_add(limit) as u32) < 2 * limit as u32
+}
+
+impl Numbers {
+    /// Does what [`Sweep::track`] does.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn track(
+        self,
+        sweep: &mut Sweep,
+        mut i: u32,
+        to: u32,
+        mut see: impl FnMut(&Seen, Length),
+    ) -> u32 {
+        let Sweep { bounds, root, .. } = &*sweep;
+        let (segment, certificate) = (root.segment, &root.certificate);
+        let numbers = self;
+        let wall = Wall::new(segment, numbers);
+        let &Wall { block, height, middle, half, .. } = &wall;
+
+        // A root where the ray leaves the solid is tracked as one where the reversed ray enters the solid's
+        // image in the axis: x and y of points change their signs, and z of directions.
+        let is_inside = root.sign.is_sign_negative();
+        let point = |p: F32x3| {
+            let [x, y, z] = fixed_vector(p, numbers.p);
+            if is_inside { [-x, -y, z] } else { [x, y, z] }
+        };
+        let toward = |d: F32x3| {
+            let [x, y, z] = fixed_vector(d, numbers.d);
+            if is_inside { [x, y, -z] } else { [x, y, z] }
+        };
+        let (m, d) = sweep.ray(i);
+        let rays = &sweep.direction.rays;
+        let ([mut mx, mut my, mut mz], [mut dx, mut dy, mut dz]) = (point(m), toward(d));
+        let ([mx1, my1, mz1], [dx1, dy1, dz1]) = (point(rays.origin_step), toward(rays.direction_step));
+        let exceeds = |[x, y, z]: [i32; 3], most: u32| {
+            x.unsigned_abs() > most || y.unsigned_abs() > most || z.unsigned_abs() > most
+        };
+        // After a step of less than 2²⁹ units from an M in range the next does not wrap around.
+        let to = if exceeds([mx1, my1, mz1], 1 << 29) { to.min(i + 1) } else { to };
+        let is_tracked = !exceeds([mx, my, mz], 1 << 30) && block <= MOST_BLOCK;
+        let to = if is_tracked { to } else { i };
+        mz = mz.wrapping_sub(middle);
+
+        // x and y to 29 − block bits: where they are used their magnitude is less than 3·2^block, and the sum
+        // of their squares less than 18·2²⁶ < 2³¹.
+        let radius_bits = (29 - block - numbers.p) as u32;
+        let most_radius = (3 << (numbers.p + block)).min((1 << 30) - 1);
+        let parameter_bits = (31 - numbers.p - height) as u32;
+        let most_height = 1 << (31 - parameter_bits);
+
+        // σ, half the slope, is a term of f, 25 − 2·block − (31 − d) − height bits, and one of x and y,
+        // 28 − block − (31 − d) bits. The finer of the two is shifted.
+        let finer = 2 + block - height;
+        let (f_right, xy_right) = ((-finer).max(0) as u32, finer.max(0) as u32);
+        let slope_bits = numbers.d - 4 - block - finer.max(0);
+        // If the rays begin near the solid, each root is to be compared with that place.
+        let certain = if bounds.start > f32::NEG_INFINITY { f32::INFINITY } else { certificate.slope };
+        // The slope is off by 8 units at most: the derivative of f by 5, of which a product with dz leaves half,
+        // four products by one each, and the two bounds by half a unit.
+        let [certain, least] =
+            [certain, certificate.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
+        let least = least.max(1 << 12);
+        // σ without its last `spare` bits has 13 or more, and its inverse in units of 2^(−32 − spare) at most
+        // 2²⁰. A step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by 2¹⁰.
+        let spare = (19 - least.leading_zeros() as i32).max(0) as u32;
+        let scale = numbers.s - 30 + 31 + block - (31 - numbers.d) - finer.max(0);
+        let left = scale - spare as i32 - 10;
+        let zoom = left.max(1);
+        let step_right = (zoom - left) as u32;
+        let most_zoomed = 1 << (31 - zoom);
+        // The last step b has b² ≤ step_tolerance·A/4: it leaves ROOT/4; and is at most 2¹⁸ units, because the
+        // inverse is within 2⁻¹⁰ of itself: that leaves 2⁸ units.
+        let square = exponent(certificate.own.step_tolerance * certificate.slope) - 3;
+        let near = fixed(power_of_two((square >> 1).clamp(-100, 100)), numbers.s).min(1 << 18);
+
+        // Within the tolerance of the solid's ends and of steps, in height, the row decides nothing; nor within
+        // the slip of any other knot, since a crease that is seen edge on may be a silhouette.
+        let knot_pad = greater(bounds.knot_tolerance, bounds.slip);
+        let [pad, knot_pad] = [bounds.tolerance, knot_pad].map(|pad| fixed(pad, numbers.p));
+        let below = half - if root.index == 0 { pad } else { knot_pad };
+        let above = half - if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
+        let width = (below + above).max(0) as u32;
+        let mut gradient = Gradient::new(&wall, numbers, bounds.lathe.frame.root_squash, is_inside);
+
+        let unit = power_of_two(-numbers.s);
+        let signed_unit = if is_inside { -unit } else { unit };
+        let [mut s, mut step, mut bend] = [root.s, root.step, root.bend].map(|s| fixed(s, numbers.s));
+        let start = i;
+        let mut end = if is_tracked { TrackEnd::Limit } else { TrackEnd::Uncertified };
+        'pixels: while i < to {
+            let predicted = s;
+            let mut tries = STEPS;
+            loop {
+                let x = mx.wrapping_add(high(s, dx));
+                let y = my.wrapping_add(high(s, dy));
+                let z = mz.wrapping_add(high(s, dz));
+                if !is_within(z, most_height) {
+                    end = TrackEnd::Left { upper: z > 0 };
+                    break 'pixels;
+                }
+                if !(is_within(x, most_radius) && is_within(y, most_radius)) {
+                    end = TrackEnd::Diverged;
+                    break 'pixels;
+                }
+                let (near_x, near_y) = (x << radius_bits, y << radius_bits);
+                let (f, slope) = wall.with_slope(z << parameter_bits);
+                let g = f - (high(near_x, near_x) + high(near_y, near_y));
+                let sigma =
+                    (high(slope, dz) >> f_right) - ((high(near_x, dx) + high(near_y, dy)) >> xy_right);
+                if sigma < least {
+                    end = TrackEnd::Uncertified;
+                    break 'pixels;
+                }
+                let per_sigma = u32::MAX / (sigma as u32 >> spare);
+                let back = if is_within(g, most_zoomed) {
+                    high(g << zoom, (per_sigma << 10) as i32) >> step_right
+                } else {
+                    cold_path();
+                    let right = 32 + spare as i32 - scale;
+                    ((i64::from(g) * i64::from(per_sigma)) >> right).clamp(-(1 << 27), 1 << 27) as i32
+                };
+                s = s.wrapping_sub(back);
+                if !is_within(back, near) {
+                    cold_path();
+                    tries -= 1;
+                    if tries == 0 {
+                        end = TrackEnd::Diverged;
+                        break 'pixels;
+                    }
+                    continue;
+                }
+                let (x, y, z) = (x - high(back, dx), y - high(back, dy), z - high(back, dz));
+                if z.wrapping_add(below) as u32 > width {
+                    end = TrackEnd::Left { upper: z > 0 };
+                    break 'pixels;
+                }
+                let v = z << parameter_bits;
+                if sigma <= certain {
+                    cold_path();
+                    let u = v as f32 * (power_of_two(height - 31) * segment.per_height) + 0.5;
+                    let d = vector([dx, dy, dz].map(|d| d as f32 * power_of_two(-numbers.d)));
+                    let slope = sigma as f32 * power_of_two(-slope_bits);
+                    let (s, back) = (s as f32 * signed_unit, back as f32 * unit);
+                    let kappa = d.z * segment.per_height;
+                    if !sweep.is_nearest_at(u, s, slope, back, dot_xy(d, d), kappa) {
+                        end = TrackEnd::Uncertified;
+                        break 'pixels;
+                    }
+                }
+                let Some(seen) = gradient.seen(x, y, wall.slope(v)) else {
+                    end = TrackEnd::Uncertified;
+                    break 'pixels;
+                };
+                see(&seen, Length { units: s, unit: signed_unit });
+                break;
+            }
+            // s is predicted as in floats.
+            bend = bend.wrapping_add(s.wrapping_sub(predicted));
+            step = step.wrapping_add(bend);
+            s = s.wrapping_add(step).wrapping_add(bend);
+            (mx, my, mz) = (mx.wrapping_add(mx1), my.wrapping_add(my1), mz.wrapping_add(mz1));
+            (dx, dy, dz) = (dx.wrapping_add(dx1), dy.wrapping_add(dy1), dz.wrapping_add(dz1));
+            i += 1;
+        }
+        let root = &mut sweep.root;
+        [root.s, root.step, root.bend] = [s, step, bend].map(|s| s as f32 * unit);
+        root.end = Some(end);
+        if i > start {
+            root.tries = STEPS;
+        }
+        i
+    }
+}

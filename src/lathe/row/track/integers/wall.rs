@@ -1,0 +1,79 @@
+//! A segment's cubic in integers.
+
+use crate::arithmetic::integers::{Numbers, exponent, fixed, high};
+use crate::lathe::segment::Segment;
+
+/// A segment's cubic about the middle of its height, `a0 + a1·v + a2·v² + a3·v³`.
+///
+/// The parameter v is (z − middle)/2^height, in units of 2⁻³¹; in the segment it is between −1/2 and 1/2, and
+/// the cubic may be computed for all v between −1 and 1. So roots are found up to half a segment's height, at
+/// least, beyond its ends.
+pub(super) struct Wall {
+    /// The coefficients, in units of 2^(2·block − 26).
+    pub a: [i32; 4],
+    /// How many bits fewer than 13 a radius has behind the point; it is the least for which
+    /// |a0| + |a1| + 2·|a2| + 3·|a3| is less than 2³⁰ units.
+    pub block: i32,
+    /// 2^height is more than the segment's height, and at most twice that.
+    pub height: i32,
+    /// The middle and half of the height, in the units of coordinates.
+    pub middle: i32,
+    pub half: i32,
+}
+
+impl Wall {
+    /// The cubic of a segment.
+    pub fn new(segment: &Segment, numbers: Numbers) -> Self {
+        // 1/h is less than 2^e; so h is more than 2^−e, and at most twice that: it is that if the mantissa of
+        // 1/h is 1.
+        let is_power = segment.per_height.to_bits() << 9 == 0;
+        let height = 1 - exponent(segment.per_height) + i32::from(is_power);
+        let per_height = fixed(segment.per_height, 29 + height);
+        let most = segment.f.iter().fold(0.0, |most: f32, c| if c.abs() > most { c.abs() } else { most });
+        // |c| < 2²⁴ units; about the middle the largest coefficient is at most eight times that, and the sum
+        // less than 2³⁰.
+        let bits = 24 - exponent(most);
+        let sum = sum(about_middle(segment.f, per_height, bits));
+        let excess = 32 - sum.leading_zeros() as i32 - bits + 26 - 30;
+        let block = (excess.max(0) + 1) >> 1;
+        let a = about_middle(segment.f, per_height, 26 - 2 * block);
+        let (low, high) = (fixed(segment.low, numbers.p), fixed(segment.high, numbers.p));
+        Self { a, block, height, middle: (low + high) >> 1, half: (high - low) >> 1 }
+    }
+
+    /// f and its derivative over v.
+    #[inline(always)]
+    pub fn with_slope(&self, v: i32) -> (i32, i32) {
+        let [a0, a1, a2, a3] = self.a;
+        let third = high(a3, v) << 1;
+        let second = third + a2;
+        let first = (high(second, v) << 1) + a1;
+        ((high(first, v) << 1) + a0, (high(third + second, v) << 1) + first)
+    }
+
+    /// The derivative of f over v.
+    #[inline(always)]
+    pub fn slope(&self, v: i32) -> i32 {
+        let [_, a1, a2, a3] = self.a;
+        (high((high(3 * a3, v) + a2) << 1, v) << 1) + a1
+    }
+}
+
+/// The coefficients about the middle, in units of 2^−`bits`, of the cubic with the coefficients f in powers of
+/// u. `per_height` is du/dv, from 1 to 2, in units of 2⁻²⁹.
+#[inline(never)]
+fn about_middle(f: [f32; 4], per_height: i32, bits: i32) -> [i32; 4] {
+    let [c0, c1, c2, c3] = f.map(|c| fixed(c, bits));
+    let scaled = |c: i32| ((i64::from(c) * i64::from(per_height)) >> 29) as i32;
+    [
+        c0 + (c1 >> 1) + (c2 >> 2) + (c3 >> 3),
+        scaled(c1 + c2 + c3 - (c3 >> 2)),
+        scaled(scaled(c2 + c3 + (c3 >> 1))),
+        scaled(scaled(scaled(c3))),
+    ]
+}
+
+/// A bound of the cubic and of its derivative for |v| < 1.
+fn sum([a0, a1, a2, a3]: [i32; 4]) -> u32 {
+    a0.unsigned_abs() + a1.unsigned_abs() + 2 * a2.unsigned_abs() + 3 * a3.unsigned_abs()
+}

@@ -100,7 +100,6 @@ impl Sweep<'_> {
     }
 
     /// Whether the i-th ray rises, and the first pixel after it for whose ray that is not certain.
-    #[inline(always)]
     fn rises_until(&self, i: u32) -> (bool, u32) {
         if let Some(is_rising) = self.bounds.rising {
             return (is_rising, u32::MAX);

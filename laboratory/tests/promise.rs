@@ -76,13 +76,18 @@ fn distance(shape: &Shape, ray: &oracle::Ray, t: f64, within: f64) -> f64 {
     // As close together as they are near, since beside a pole the radius is a root of the height; then about the best of them.
     let ups = (0..=240).map(|i| within * (-f64::from(i) / 4.0).exp2());
     let ups = ups.flat_map(|up| [up, -up]);
-    let best = ups.min_by(|&one, &other| at(one).total_cmp(&at(other))).unwrap_or(0.0);
+    // A segment may be lower than two of these are apart.
+    let of_segments = shape
+        .knots
+        .windows(2)
+        .flat_map(|ends| (0..=32).map(|i| ends[0] + (ends[1] - ends[0]) * f64::from(i) / 32.0 - z));
+    let best = ups.chain(of_segments).min_by(|&one, &other| at(one).total_cmp(&at(other))).unwrap_or(0.0);
     let (mut low, mut high) = (0.8 * best, 1.25 * best);
     for _ in 0..60 {
         let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
         if at(a) < at(b) { high = b } else { low = a }
     }
-    at(0.0).min(at(low)).min(to_ring(shape, z, rho, to_level))
+    at(0.0).min(at(best)).min(at(low)).min(to_ring(shape, z, rho, to_level))
 }
 
 /// The distance from the nearest ring, at a height and a distance from the axis: of a knot that is no step, from its circle.

@@ -220,7 +220,7 @@ impl View<'_> {
     }
 
     /// Whether a height differs by less than `margin` from that of an end, or, if there are steps, of any knot.
-    #[inline(never)]
+    #[inline]
     pub fn is_near_edge(&self, z: f32, margin: f32) -> bool {
         let View { frame, segments } = *self;
         let is_near = |edge: f32| (z - edge).abs() < margin;

@@ -76,17 +76,26 @@ pub fn body(outline: &Outline, fit: &Fit) -> Result<Body, OutlineError> {
     let moved = (axis::ON_AXIS * outline.size()).min(1e-3 * tolerance)
         * f64::from(u8::from(snapped(outline)))
         + 1e-12 * outline.size();
-    let mut sheets = Vec::new();
-    let mut error: f64 = 0.0;
-    for runs in runs {
-        error = error.max(assemble(runs, fit, &mut sheets, &mut warnings)?);
+    let mut met = 0.0;
+    // Walls that are nearer to each other than the tolerance may cross when they are fitted: then more closely.
+    for closer in CLOSER {
+        let fit = &Fit { tolerance: closer * fit.tolerance, ..*fit };
+        let (mut sheets, mut warnings) = (Vec::new(), warnings.clone());
+        let mut error: f64 = 0.0;
+        for runs in &runs {
+            error = error.max(assemble(runs.clone(), fit, &mut sheets, &mut warnings)?);
+        }
+        error += moved;
+        match walls_meet(&sheets) {
+            None => return Ok(Body { sheets, tolerance, error, warnings, shape }),
+            Some(height) => met = height,
+        }
     }
-    error += moved;
-    if let Some(height) = walls_meet(&sheets) {
-        return Err(OutlineError::WallsMeet { height });
-    }
-    Ok(Body { sheets, tolerance, error, warnings, shape })
+    Err(OutlineError::WallsMeet { height: met })
 }
+
+/// The parts of the tolerance within which walls are fitted until they do not cross.
+const CLOSER: [f64; 4] = [1.0, 0.75, 0.5, 0.3];
 
 /// Of the tolerance, what fitting and straightening may use.
 const SHARE: f64 = 0.97;

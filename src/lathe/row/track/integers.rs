@@ -180,7 +180,17 @@ impl Numbers {
                     let u = v as f32 * (power_of_two(height - 31) * segment.per_height) + 0.5;
                     let d = vector([dx, dy, dz].map(|d| d as f32 * power_of_two(-numbers.d)));
                     let slope = sigma as f32 * power_of_two(-slope_bits);
-                    let (s, back) = (s as f32 * signed_unit, back as f32 * unit);
+                    let back = back as f32 * unit;
+                    // `near` is for slopes that the certificate accepts. A smaller one asks for a smaller step.
+                    if !(4.0 * back * back <= certificate.own.step_tolerance * slope) {
+                        tries -= 1;
+                        if tries == 0 {
+                            end = TrackEnd::Diverged;
+                            break 'pixels;
+                        }
+                        continue;
+                    }
+                    let s = s as f32 * signed_unit;
                     let kappa = d.z * segment.per_height;
                     if !sweep.is_nearest_at(u, s, slope, back, dot_xy(d, d), kappa) {
                         end = TrackEnd::Uncertified;

@@ -33,15 +33,21 @@ struct Accuracy {
     color: f64,
 }
 
-/// A way through the crate: its name, that of its line in the record, and the color it gives to a pixel.
+/// A way through the crate: its name, that of its line in the record, and the picture that it makes.
+#[derive(Clone, Copy)]
 struct Way {
     name: &'static str,
     line: &'static str,
     picture: fn(Size) -> Vec<Option<Rgb565>>,
 }
 
-const WAYS: [Way; 8] = [
-    Way { name: "rows", line: "vase", picture: by_rows },
+/// Rows as a machine with a floating-point unit computes them, and as one without.
+const IN_FLOATS: Way = Way { name: "rows", line: "vase", picture: |size| by_rows(size, rows_in_floats) };
+const IN_INTEGERS: Way =
+    Way { name: "rows, in integers", line: "vase", picture: |size| by_rows(size, rows_in_integers) };
+
+/// Single rays, which every machine computes in floats.
+const RAYS: [Way; 7] = [
     Way {
         name: "rays",
         line: "vase by rays default",
@@ -107,29 +113,36 @@ const OTHER: RGBColor = RGBColor(50, 90, 150);
 
 pub fn write() -> Result<(), Box<dyn Error>> {
     let mut table = "machine,renderer,cost,mask,color\n".to_owned();
-    let mut judged =
-        |machine: &str, column: usize, size: Size, peers: &[Peer]| -> Result<Vec<Judged>, Box<dyn Error>> {
-            let exact = exact(size);
-            let mut all = Vec::new();
-            for way in &WAYS {
-                let accuracy = accuracy(&(way.picture)(size), &exact);
-                all.push(Judged {
-                    name: way.name.to_owned(),
-                    is_ours: true,
-                    cost: recorded(machine, way.line, column)?,
-                    accuracy,
-                });
-            }
-            all.extend(peers.iter().map(|&Peer { name, cost, mask, decibels }| {
-                let color = 255.0 / 10f64.powf(decibels / 20.0);
-                Judged { name: name.to_owned(), is_ours: false, cost, accuracy: Accuracy { mask, color } }
-            }));
-            for Judged { name, cost, accuracy: Accuracy { mask, color }, .. } in &all {
-                writeln!(table, "{machine},\"{name}\",{cost:.1},{mask},{color:.2}")?;
-            }
-            Ok(all)
-        };
-    let (m4f, m3) = (judged("m4f", CYCLES, TFT, &ON_M4F)?, judged("m3", INSTRUCTIONS, OLED, &ON_M3)?);
+    let mut judged = |machine: &str,
+                      rows: Way,
+                      column: usize,
+                      size: Size,
+                      peers: &[Peer]|
+     -> Result<Vec<Judged>, Box<dyn Error>> {
+        let exact = exact(size);
+        let mut all = Vec::new();
+        for way in [rows].iter().chain(&RAYS) {
+            let accuracy = accuracy(&(way.picture)(size), &exact);
+            all.push(Judged {
+                name: way.name.to_owned(),
+                is_ours: true,
+                cost: recorded(machine, way.line, column)?,
+                accuracy,
+            });
+        }
+        all.extend(peers.iter().map(|&Peer { name, cost, mask, decibels }| {
+            let color = 255.0 / 10f64.powf(decibels / 20.0);
+            Judged { name: name.to_owned(), is_ours: false, cost, accuracy: Accuracy { mask, color } }
+        }));
+        for Judged { name, cost, accuracy: Accuracy { mask, color }, .. } in &all {
+            writeln!(table, "{machine},\"{name}\",{cost:.1},{mask},{color:.2}")?;
+        }
+        Ok(all)
+    };
+    let (m4f, m3) = (
+        judged("m4f", IN_FLOATS, CYCLES, TFT, &ON_M4F)?,
+        judged("m3", IN_INTEGERS, INSTRUCTIONS, OLED, &ON_M3)?,
+    );
     std::fs::write("docs/pictures.csv", table)?;
     let mask = |all: &[Judged]| all.iter().map(|judged| judged.point(judged.accuracy.mask.into())).collect();
     let wrong = |pixels: u32| Axis {
@@ -224,15 +237,36 @@ fn accuracy(picture: &[Option<Rgb565>], exact: &[Option<[f64; 3]>]) -> Accuracy 
 }
 
 /// The picture by rows. A pixel that has the background's color does not show the vase: no point of the vase has it.
-fn by_rows((width, height): Size) -> Vec<Option<Rgb565>> {
-    let picture = VASE_SCENE.picture(width, height);
-    let mut row = vec![Rgb565::BLACK; width as usize];
+fn by_rows(size: Size, rows: fn(Size) -> Vec<Rgb565>) -> Vec<Option<Rgb565>> {
     let background: Rgb565 = Paint::paint(Rgb::new(0.10, 0.14, 0.22), 0, 0);
-    let mut colors = Vec::new();
-    for y in 0..height {
-        picture.row(y, &mut row);
-        colors.extend(row.iter().map(|&color| (color != background).then_some(color)));
-    }
+    rows(size).into_iter().map(|color| (color != background).then_some(color)).collect()
+}
+
+fn rows_in_floats((width, height): Size) -> Vec<Rgb565> {
+    let picture = VASE_SCENE.picture(width, height);
+    let mut colors = vec![Rgb565::BLACK; (width * height) as usize];
+    colors.chunks_mut(width as usize).zip(0..).for_each(|(row, y)| picture.row(y, row));
+    colors
+}
+
+/// The same scene in the crate as it is built for machines without a floating-point unit.
+fn rows_in_integers((width, height): Size) -> Vec<Rgb565> {
+    use embedded_lathe_integers::{
+        Background, Camera, End, Lathe, Light, Profile, Rgb, Scene, Segment, Solid, valid,
+    };
+
+    static VASE: Lathe<[Segment; 4]> =
+        Lathe::turn(valid!(Profile::from_squared_radii(&VASE_KNOTS, &VASE_ORDINATES)).base(End::Capped));
+    static SCENE: Scene = Scene::new(
+        &[Solid::new(&VASE, Rgb::new(CLAY.r, CLAY.g, CLAY.b))],
+        valid!(Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 0.3)),
+        valid!(Light::new([-0.5, -0.7, 0.5], 0.15)),
+    )
+    .with_background(Background::Plain(Rgb::new(0.10, 0.14, 0.22)));
+
+    let picture = SCENE.picture(width, height);
+    let mut colors = vec![Rgb565::BLACK; (width * height) as usize];
+    colors.chunks_mut(width as usize).zip(0..).for_each(|(row, y)| picture.row(y, row));
     colors
 }
 

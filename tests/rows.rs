@@ -11,6 +11,7 @@ mod random;
 #[allow(dead_code)]
 mod scenes;
 
+use core::ops::Range;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_lathe::{
     Background, Camera, End, Lathe, Light, Paint, Pose, Profile, Ray, Rgb, Rotation, Scene, Segment, Sheet,
@@ -133,11 +134,11 @@ fn number_of_scenes() -> u32 {
     std::env::var("SCENES").map_or(usual, |number| number.parse().expect("a number"))
 }
 
-/// So many random scenes, each seen by such a camera: rows against single rays.
-fn random_scenes(side: u32, camera: impl Fn(&mut ChaCha8Rng) -> Camera) {
+/// The random scenes of some numbers, each seen by such a camera: rows against single rays.
+fn random_scenes(numbers: Range<u32>, side: u32, camera: impl Fn(&mut ChaCha8Rng) -> Camera) {
     let mut rng = ChaCha8Rng::seed_from_u64(1995);
     let mut difference = Difference::default();
-    for number in 0..number_of_scenes() {
+    for number in 0..numbers.end {
         let lathes = [random_lathe(&mut rng), random_lathe(&mut rng)];
         let turn = Rotation::about([even(&mut rng, -1.0, 1.0), 0.3, 0.5], even(&mut rng, -3.0, 3.0)).unwrap();
         let away = Pose::new([even(&mut rng, -1.0, 1.0), 0.2, 0.1], turn, even(&mut rng, 0.3, 1.5)).unwrap();
@@ -149,24 +150,29 @@ fn random_scenes(side: u32, camera: impl Fn(&mut ChaCha8Rng) -> Camera) {
             camera(&mut rng),
             Light::new(towards, 0.2).unwrap(),
         );
-        difference.add(
-            &Known { scene, colors: &colors, towards, ambient: 0.2 },
-            side,
-            &format!("scene {number}"),
-        );
+        if numbers.contains(&number) {
+            let known = Known { scene, colors: &colors, towards, ambient: 0.2 };
+            difference.add(&known, side, &format!("scene {number}"));
+        }
     }
     difference.assert_none();
 }
 
 #[test]
 fn random_scenes_are_those_of_single_rays() {
-    random_scenes(60, random_camera);
+    random_scenes(0..number_of_scenes(), 60, random_camera);
+}
+
+/// A waist as sharp as a blade, seen from within: rays that pass it within rounding leave by the open end beyond.
+#[test]
+fn a_sharp_waist_seen_from_within_is_that_of_single_rays() {
+    random_scenes(12_950..12_951, 60, random_camera);
 }
 
 #[test]
 fn random_upright_scenes_are_those_of_single_rays() {
     // An even number of columns: a row's halves may be each other's mirror image.
-    random_scenes(48, upright_camera);
+    random_scenes(0..number_of_scenes(), 48, upright_camera);
 }
 
 /// A cup with a flat rim, whose hollow has a color of its own; a torus; a mushroom with an undercut.

@@ -32,9 +32,12 @@ impl Numbers {
         // If the rays begin near the solid, each root is to be compared with that place.
         let certain = if bounds.start > f32::NEG_INFINITY { f32::INFINITY } else { root.certificate.slope };
         let step_tolerance = root.certificate.own.step_tolerance;
-        // Within the tolerance of the solid's ends and of steps, in height, the row decides nothing.
+        // Within the tolerance of the solid's ends and of steps, in height, the row decides nothing. Nor does it
+        // within the slip of any other knot where the ray leaves the solid: at a sharp waist, rounding decides
+        // whether it leaves.
         let pad = bounds.tolerance * segment.per_height;
-        let knot_pad = bounds.knot_tolerance * segment.per_height;
+        let slip = if sign < 0.0 { bounds.slip } else { 0.0 };
+        let knot_pad = greater(bounds.knot_tolerance, slip) * segment.per_height;
         let from = if root.index == 0 { pad } else { knot_pad };
         let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
         let width = greater(0.0, 1.0 - from - to_end).to_bits();

@@ -114,7 +114,8 @@ fn the_page_has_all_rows() {
         let [whole, rectangle] =
             ["whole", "rectangle"].map(|drawn| written(&page(), &format!("{scene}, {drawn}")));
         assert_eq!((whole[0], whole[3]), (240 * 240, 128 * 64));
-        assert!((0..5).all(|i| 3 * rectangle[i] < whole[i]), "{scene}: {rectangle:?} of {whole:?}");
+        // On the Cortex-M3 what a row's set-up takes, in software floats, is a third of a frame: it limits the gain.
+        assert!((0..5).all(|i| 2 * rectangle[i] < whole[i]), "{scene}: {rectangle:?} of {whole:?}");
     }
 }
 

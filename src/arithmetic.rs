@@ -10,7 +10,8 @@
 //! The tests compare both with single rays. Each gives the same bits on every machine; the two differ by a
 //! step of a color channel in fewer than one pixel of 10 000. A build can choose by
 //! `--cfg embedded_lathe_arithmetic="floats"` or `"integers"`; otherwise the target's architecture and ABI
-//! decide.
+//! decide. Of a RISC-V they do not say whether it has an FPU, not to stable Rust: one that has should choose
+//! floats.
 
 // One of the two is not used.
 #[allow(dead_code, unused_imports)]

@@ -147,11 +147,11 @@ impl Numbers {
                 let g = f - (high(near_x, near_x) + high(near_y, near_y));
                 let sigma =
                     (high(slope, dz) >> f_right) - ((high(near_x, dx) + high(near_y, dy)) >> xy_right);
-                if sigma < least {
+                let divisor = if sigma < least { 0 } else { sigma as u32 >> spare };
+                let Some(per_sigma) = u32::MAX.checked_div(divisor) else {
                     end = TrackEnd::Uncertified;
                     break 'pixels;
-                }
-                let per_sigma = u32::MAX / (sigma as u32 >> spare);
+                };
                 let back = if is_within(g, most_zoomed) {
                     high(g << zoom, (per_sigma << 10) as i32) >> step_right
                 } else {

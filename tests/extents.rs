@@ -311,7 +311,7 @@ fn what_is_under_a_pixel_is_what_it_shows() {
         check(&scene, &format!("case {case}"));
     }
     assert!(picked.iter().all(|&pixels| pixels > 1000), "{picked:?}");
-    // A body's sheets are told apart.
+    // The pick says which sheet of a body it is.
     const OUTSIDE: Profile<1> = valid!(Profile::cylinder(0.4, 0.8)?.top(End::Open));
     static SHEETS: [Lathe<[Segment; 1]>; 2] = [
         Lathe::turn(OUTSIDE),

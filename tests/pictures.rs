@@ -4,6 +4,9 @@
 #[allow(dead_code)]
 mod scenes;
 
+mod compared;
+
+use compared::Compared;
 use embedded_graphics::image::{Image, ImageDrawable, ImageDrawableExt};
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{
@@ -43,23 +46,6 @@ fn rows<C: Paint>(scene: &Scene, width: u32, height: u32, parts: &[usize], blank
         }
     }
     pixels
-}
-
-/// Pixels compared, and those that differ: by one step of a channel, where rounding decides.
-#[derive(Default)]
-struct Compared {
-    pixels: usize,
-    differ: usize,
-}
-
-impl Compared {
-    fn add(&mut self, one: Rgb565, other: Rgb565, what: &str) {
-        self.pixels += 1;
-        self.differ += usize::from(one != other);
-        for (a, b) in [(one.r(), other.r()), (one.g(), other.g()), (one.b(), other.b())] {
-            assert!(a.abs_diff(b) <= 1, "{what}: {one:?} and {other:?}");
-        }
-    }
 }
 
 /// Whole or in parts, by rows or by a display: what is shared along a row differs, so that bits may.

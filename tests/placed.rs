@@ -5,10 +5,12 @@
 #[allow(dead_code)]
 mod scenes;
 
+mod compared;
 #[allow(dead_code)]
 mod random;
 mod recorder;
 
+use compared::Compared;
 use embedded_graphics::draw_target::DrawTargetExt;
 use embedded_graphics::image::{Image, ImageDrawableExt};
 use embedded_graphics::pixelcolor::Rgb565;
@@ -29,6 +31,11 @@ fn points(area: &Rectangle) -> Vec<(i32, i32)> {
     area.points().map(|Point { x, y }| (x, y)).collect()
 }
 
+/// Compared with pixels that were cut out of whole rows, as few differ as `Picture::part_of_row` promises.
+fn assert_few(&Compared { pixels, differ }: &Compared) {
+    assert!(pixels > 10_000 && differ * 1_000 <= pixels, "{differ} of {pixels}");
+}
+
 /// The picture computed row by row.
 fn whole(picture: &Picture) -> Vec<Rgb565> {
     let mut pixels = vec![Rgb565::BLACK; (picture.width() * picture.height()) as usize];
@@ -36,33 +43,6 @@ fn whole(picture: &Picture) -> Vec<Rgb565> {
         picture.row(y as u32, row);
     }
     pixels
-}
-
-/// Pixels compared with those cut out of whole rows. They may differ by one step where rounding decides.
-#[derive(Default)]
-struct Compared {
-    pixels: usize,
-    differ: usize,
-}
-
-impl Compared {
-    fn add(&mut self, found: Rgb565, truth: Rgb565, what: &str) {
-        self.pixels += 1;
-        self.differ += usize::from(found != truth);
-        for (a, b) in [(found.r(), truth.r()), (found.g(), truth.g()), (found.b(), truth.b())] {
-            assert!(a.abs_diff(b) <= 1, "{what}: {found:?}, not {truth:?}");
-        }
-    }
-
-    /// As `Picture::part_of_row` promises.
-    fn assert_few(&self) {
-        assert!(
-            self.pixels > 10_000 && self.differ * 1_000 <= self.pixels,
-            "{} of {}",
-            self.differ,
-            self.pixels
-        );
-    }
 }
 
 /// That the display shows in `area`, and nowhere else, the picture whose column 0 of row 0 is at `position`, and that each
@@ -146,7 +126,7 @@ fn a_picture_is_drawn_where_it_is_put() {
         check(&scene, &mut rng, &format!("case {case}"));
     }
     println!("{} of {} pixels differ by a step; {outside} lay outside", compared.differ, compared.pixels);
-    compared.assert_few();
+    assert_few(&compared);
     assert!(outside > 20);
 }
 
@@ -190,7 +170,7 @@ fn a_picture_is_moved_and_cut_as_every_drawable() {
         Image::new(&picture_image.sub_image(&part), Point::new(4, 4)).draw(&mut display).unwrap();
         shows(&display, &picture, Point::new(4, 4) - part.top_left, &area(4, 4, 17, 21), &mut compared, name);
     }
-    compared.assert_few();
+    assert_few(&compared);
 }
 
 /// `Scene::draw` fills the bounding box of whatever it is given, as `clear` does.
@@ -211,7 +191,7 @@ fn a_scene_fills_the_bounding_box() {
         }
         shows(&display, &scene.picture(60, 50), window.top_left, &window, &mut compared, "cut");
     }
-    compared.assert_few();
+    assert_few(&compared);
 }
 
 /// Pictures of any size, at any place: what the display has room for is drawn, and it is the right part.
@@ -333,7 +313,7 @@ fn only_the_solids_are_drawn_over_what_is_there() {
         check(&scene, &mut rng, &format!("case {case}"));
     }
     println!("{differ} of {pixels} pixels differ from single rays; at most {most_calls} calls");
-    compared.assert_few();
+    assert_few(&compared);
     assert!(
         pixels > 100_000 && differ * 10_000 <= pixels && most_calls > 80,
         "{differ} of {pixels}, {most_calls}"
@@ -411,7 +391,7 @@ fn only_what_changed_is_drawn_again() {
             );
         }
     }
-    compared.assert_few();
+    assert_few(&compared);
     assert!(drawn < 40 * 80 * 60 / 4, "{drawn}");
 }
 
@@ -450,7 +430,7 @@ fn scenes_that_jump_are_drawn_by_their_rectangles() {
         check(&scene, &after, &format!("case {case}"));
     }
     println!("{drawn} of {} pixels drawn, {} differ by a step", compared.pixels, compared.differ);
-    compared.assert_few();
+    assert_few(&compared);
     assert!(drawn < compared.pixels * 9 / 10);
 }
 
@@ -484,7 +464,7 @@ fn a_knob_is_seen_to_turn() {
         last = Some(now);
     }
     println!("at least {least} pixels change, and at most {most_drawn} are drawn");
-    compared.assert_few();
+    assert_few(&compared);
     assert!(least >= 30 && most_drawn < 240 * 240 / 8, "{least}, {most_drawn}");
 }
 

@@ -1,11 +1,11 @@
 //! The vase's whole frame by single rays, as a program would draw it that knows no rows: by each solver and backend.
 
 use crate::frames::{Panel, Usual, frame};
-use crate::scenes::{CLAY, VASE, VASE_SCENE};
+use crate::scenes::{VASE, VASE_SCENE, lambert};
 use core::hint::black_box;
 use embedded_lathe::math::{Libm, Micromath, Native};
 use embedded_lathe::solve::{Cardano, Solver, Split};
-use embedded_lathe::{Background, Hit, Paint, Ray, Rgb, Scene};
+use embedded_lathe::{Background, Hit, Paint, Ray, Scene};
 
 pub fn measured() {
     line("vase by rays default", |ray| VASE.nearest(ray, 0.0));
@@ -32,24 +32,12 @@ type Row = [<Usual as Panel>::Color; 240];
 
 #[inline(never)]
 fn rows(scene: &Scene, nearest: Nearest, row: &mut Row) {
+    let Background::Plain(background) = scene.background else { return };
     for y in 0..Usual::HEIGHT {
         for (pixel, x) in row.iter_mut().zip(0..Usual::WIDTH) {
-            *pixel = Paint::paint(seen(scene, nearest, x, y), x, y);
+            let ray = scene.camera.ray(x, y, Usual::WIDTH, Usual::HEIGHT);
+            *pixel = Paint::paint(lambert::seen(&ray, nearest).unwrap_or(background), x, y);
         }
         black_box(&row[..]);
     }
-}
-
-/// The color that a pixel's ray sees: Lambert's law on the vase, or the background.
-fn seen(scene: &Scene, nearest: Nearest, x: u32, y: u32) -> Rgb {
-    let ray = scene.camera.ray(x, y, Usual::WIDTH, Usual::HEIGHT);
-    let Some(hit) = nearest(&ray) else {
-        let Background::Plain(color) = scene.background else { return Rgb::BLACK };
-        return color;
-    };
-    let ([nx, ny, nz], [lx, ly, lz]) = (VASE.surface(&ray, &hit).normal, scene.light.towards());
-    let side = if hit.enters { 1.0 } else { -1.0 };
-    let cosine = (side * (nx * lx + ny * ly + nz * lz)).max(0.0);
-    let share = scene.light.ambient() + (1.0 - scene.light.ambient()) * cosine;
-    Rgb::new(CLAY.r * share, CLAY.g * share, CLAY.b * share)
 }

@@ -14,7 +14,8 @@
 
 mod cubics;
 mod frames;
-#[cfg(any(target_has_atomic = "32", not(target_os = "none")))] // not on the slowest
+// Not for the two slowest, which have no atomic exchanges either.
+#[cfg(any(target_has_atomic = "32", not(target_os = "none")))]
 mod lone;
 mod rays;
 mod report;

@@ -3,6 +3,7 @@
 
 pub mod dial;
 pub mod fine;
+pub mod lambert;
 pub mod orbit;
 pub mod shapes;
 

@@ -16,9 +16,12 @@ use embedded_lathe::solve::{Cardano, Solver, Split};
 use embedded_lathe::{Hit, Paint, Ray, Rgb};
 use laboratory::oracle::{self, Shape};
 use plotters::style::RGBColor;
-use scenes::{CLAY, VASE, VASE_KNOTS, VASE_ORDINATES, VASE_SCENE};
+use scenes::{CLAY, VASE, VASE_KNOTS, VASE_ORDINATES, VASE_SCENE, lambert};
 use std::error::Error;
 use std::fmt::Write;
+
+/// The background of the vase's scene.
+const BACKGROUND: Rgb = Rgb::new(0.10, 0.14, 0.22);
 
 type Size = (u32, u32);
 const TFT: Size = (240, 240);
@@ -42,9 +45,8 @@ struct Way {
 }
 
 /// Rows as a machine with a floating-point unit computes them, and as one without.
-const IN_FLOATS: Way = Way { name: "rows", line: "vase", picture: |size| by_rows(size, rows_in_floats) };
-const IN_INTEGERS: Way =
-    Way { name: "rows, in integers", line: "vase", picture: |size| by_rows(size, rows_in_integers) };
+const IN_FLOATS: Way = Way { name: "rows", line: "vase", picture: in_floats };
+const IN_INTEGERS: Way = Way { name: "rows, in integers", line: "vase", picture: in_integers };
 
 /// Single rays, which every machine computes in floats.
 const RAYS: [Way; 7] = [
@@ -74,8 +76,8 @@ const RAYS: [Way; 7] = [
 ];
 
 /// Another renderer at the same picture, measured once: on 240×240 pixels in Rgb565 in cycles of a Cortex-M4F, by the
-/// estimate of examples/bench/m4cycles.c, or on 128×64 pixels in instructions of a Cortex-M3. The vase is a mesh of so many
-/// facets around by so many along, with exact normals at its vertices; the sphere tracer evaluates the same cubics. Of the color
+/// estimate of examples/bench/m4cycles.c, or on 128×64 pixels in instructions of a Cortex-M3. The name says how many
+/// facets the vase's mesh has around and along; its vertices have exact normals; the sphere tracer evaluates the same cubics. Of the color
 /// the peak signal-to-noise ratio was measured, in decibels.
 struct Peer {
     name: &'static str,
@@ -236,21 +238,22 @@ fn accuracy(picture: &[Option<Rgb565>], exact: &[Option<[f64; 3]>]) -> Accuracy 
     Accuracy { mask, color: (sum / count).sqrt() }
 }
 
-/// The picture by rows. A pixel that has the background's color does not show the vase: no point of the vase has it.
-fn by_rows(size: Size, rows: fn(Size) -> Vec<Rgb565>) -> Vec<Option<Rgb565>> {
-    let background: Rgb565 = Paint::paint(Rgb::new(0.10, 0.14, 0.22), 0, 0);
-    rows(size).into_iter().map(|color| (color != background).then_some(color)).collect()
+/// The picture by rows, given what writes a row. A pixel that has the background's color does not show the vase: no point of
+/// the vase has it.
+fn by_rows((width, height): Size, row: impl Fn(u32, &mut [Rgb565])) -> Vec<Option<Rgb565>> {
+    let mut colors = vec![Rgb565::BLACK; (width * height) as usize];
+    colors.chunks_mut(width as usize).zip(0..).for_each(|(pixels, y)| row(y, pixels));
+    let background: Rgb565 = Paint::paint(BACKGROUND, 0, 0);
+    colors.into_iter().map(|color| (color != background).then_some(color)).collect()
 }
 
-fn rows_in_floats((width, height): Size) -> Vec<Rgb565> {
-    let picture = VASE_SCENE.picture(width, height);
-    let mut colors = vec![Rgb565::BLACK; (width * height) as usize];
-    colors.chunks_mut(width as usize).zip(0..).for_each(|(row, y)| picture.row(y, row));
-    colors
+fn in_floats(size: Size) -> Vec<Option<Rgb565>> {
+    let picture = VASE_SCENE.picture(size.0, size.1);
+    by_rows(size, |y, row| picture.row(y, row))
 }
 
 /// The same scene in the crate as it is built for machines without a floating-point unit.
-fn rows_in_integers((width, height): Size) -> Vec<Rgb565> {
+fn in_integers(size: Size) -> Vec<Option<Rgb565>> {
     use embedded_lathe_integers::{
         Background, Camera, End, Lathe, Light, Profile, Rgb, Scene, Segment, Solid, valid,
     };
@@ -262,12 +265,10 @@ fn rows_in_integers((width, height): Size) -> Vec<Rgb565> {
         valid!(Camera::perspective([0.0, -2.2, 0.9], [0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 0.3)),
         valid!(Light::new([-0.5, -0.7, 0.5], 0.15)),
     )
-    .with_background(Background::Plain(Rgb::new(0.10, 0.14, 0.22)));
+    .with_background(Background::Plain(Rgb::new(BACKGROUND.r, BACKGROUND.g, BACKGROUND.b)));
 
-    let picture = SCENE.picture(width, height);
-    let mut colors = vec![Rgb565::BLACK; (width * height) as usize];
-    colors.chunks_mut(width as usize).zip(0..).for_each(|(row, y)| picture.row(y, row));
-    colors
+    let picture = SCENE.picture(size.0, size.1);
+    by_rows(size, |y, row| picture.row(y, row))
 }
 
 fn by<S: Solver>(size: Size) -> Vec<Option<Rgb565>> {
@@ -276,14 +277,6 @@ fn by<S: Solver>(size: Size) -> Vec<Option<Rgb565>> {
 
 /// The picture by single rays, each lit by Lambert's law.
 fn by_rays(size: Size, nearest: impl Fn(&Ray) -> Option<Hit>) -> Vec<Option<Rgb565>> {
-    let (towards, ambient) = (VASE_SCENE.light.towards(), VASE_SCENE.light.ambient());
-    let color = |(x, y, ray): (u32, u32, Ray)| {
-        let hit = nearest(&ray)?;
-        let normal = VASE.surface(&ray, &hit).normal;
-        let side = if hit.enters { 1.0 } else { -1.0 };
-        let cosine: f32 = (0..3).map(|i| side * normal[i] * towards[i]).sum();
-        let share = ambient + (1.0 - ambient) * cosine.max(0.0);
-        Some(Paint::paint(Rgb::new(CLAY.r * share, CLAY.g * share, CLAY.b * share), x, y))
-    };
+    let color = |(x, y, ray): (u32, u32, Ray)| Some(Paint::paint(lambert::seen(&ray, &nearest)?, x, y));
     pixels(size).map(color).collect()
 }

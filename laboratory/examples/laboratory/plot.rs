@@ -112,7 +112,8 @@ impl Panel {
         for (point, &place) in points.iter().zip(&places) {
             let text = &point.label;
             let (width, _) = area.estimate_text_size(text, &("sans-serif", 13).into_text_style(area))?;
-            let size = (width as i32, 13);
+            // Between two labels on one line there is a gap.
+            let size = (width as i32 + 6, 13);
             let (spot, aside) = spot(place, size, right as i32, &taken);
             taken.push(spot);
             let (x, y) = (spot.x, spot.y);

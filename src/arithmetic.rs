@@ -22,17 +22,9 @@ mod share;
 
 pub(crate) use share::Share;
 
-#[cfg(not(any(
-    embedded_lathe_arithmetic = "integers",
-    all(
-        not(embedded_lathe_arithmetic = "floats"),
-        any(
-            all(target_arch = "arm", not(target_abi = "eabihf")),
-            all(target_arch = "riscv32", not(target_feature = "f")),
-        )
-    )
-)))]
-pub(crate) use floats::{Length, Numbers, Pairs, Seen, ToLight, Views};
+// Names that are imported one by one, as those of the integers are, come before those of a `*`.
+#[allow(unused_imports)]
+pub(crate) use floats::*;
 #[cfg(any(
     embedded_lathe_arithmetic = "integers",
     all(

@@ -87,7 +87,7 @@ impl PaintOrder {
         if rank < SORTED { (self.indices >> (4 * rank)) as usize & 7 } else { rank }
     }
 
-    /// Whether the solid ranked `far` is certain to hide nothing of the one ranked `near`: whether a plane is
+    /// Whether the solid ranked `far` is certain to hide no part of the one ranked `near`: whether a plane is
     /// found between the two, with the eye on the side of the latter. A solid and itself need no plane, unless
     /// it is a body: then false, since its sheets may hide one another. True if the slice has no such solid.
     #[inline(never)]

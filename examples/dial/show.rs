@@ -36,7 +36,7 @@ impl Screen {
         Self { redraw: Redraw::new(KNOB), changed: KNOB }
     }
 
-    /// Draws frame n: the knob turned by so many steps, and the angle in words. Only the first frame draws more than the number and
+    /// Draws frame n: the knob turned by n steps, and the angle in words. Only the first frame draws more than the number and
     /// the pointer, where it is and where it was. `None` if the display fails.
     pub fn draw<D: DrawTarget<Color = Gray4>>(&mut self, n: u32, display: &mut D) -> Option<()> {
         let step = n % STEPS;

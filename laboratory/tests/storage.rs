@@ -162,7 +162,7 @@ fn a_task_awaits_what_it_draws() {
 }
 
 /// An outline that arrives at run time, over a wire say: it is read into as much room as the longest may need, and kept in no more
-/// than it takes. Without an allocator there is one cell for each size that is told apart.
+/// than it takes. Without an allocator there is one cell for each of a few sizes.
 #[test]
 fn a_lathe_of_run_time_takes_the_room_that_it_needs() {
     static SMALL: StaticCell<Lathe<[Segment; 4]>> = StaticCell::new();

@@ -479,7 +479,7 @@ impl<'a> Proof<'a> {
     }
 }
 
-/// At so many places less one the distance is measured.
+/// The distance is measured at this many places less one.
 const MEASURED_AT: usize = 200;
 
 /// w³·(F − r²), where F is a segment's cubic.

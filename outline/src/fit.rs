@@ -374,7 +374,7 @@ impl Curve {
     }
 }
 
-/// From so many anchors on, one is looked for no farther back than among the nearest 256 that were reached.
+/// If there are more anchors than this, one is looked for no farther back than among the nearest 256 that were reached.
 const FAR: usize = 20000;
 
 /// Has no divisor in common with any number of compared places less one up to [`COMPARED`].

@@ -77,14 +77,14 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
         self.position
     }
 
-    /// This picture moved by so many pixels. A coordinate beyond the range of an `i32` saturates.
+    /// This picture moved by `by`, in pixels. A coordinate beyond the range of an `i32` saturates.
     #[must_use]
     pub fn translate(&self, by: Point) -> Self {
         let Point { x, y } = self.position;
         Self { position: Point::new(x.saturating_add(by.x), y.saturating_add(by.y)), ..*self }
     }
 
-    /// Moves the picture by so many pixels, as [`Placed::translate`] does.
+    /// Moves the picture by `by`, in pixels, as [`Placed::translate`] does.
     pub fn translate_mut(&mut self, by: Point) -> &mut Self {
         *self = self.translate(by);
         self

@@ -9,8 +9,8 @@ pub(crate) const fn high(a: i32, b: i32) -> i32 {
     ((a as i64 * b as i64) >> 32) as i32
 }
 
-/// The high word of a signed product: `a·b/2³²`, rounded down. ARMv6-M, which multiplies to 32 bits only, is
-/// told from other Arm cores by its lack of atomic exchanges. Four products of halves give the same bits in
+/// The high word of a signed product: `a·b/2³²`, rounded down. ARMv6-M multiplies to
+/// 32 bits only; `cfg` shows which Arm core is one by its lack of atomic exchanges. Four products of halves give the same bits in
 /// half of the time that the compiler's 64-bit product takes there.
 // Not `inline(always)`: in a build for size, flash should contain it only once.
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]

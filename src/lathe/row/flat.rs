@@ -2,7 +2,7 @@
 //! squared radius that the profile has just below the plane and the one that it has just above. A ray that
 //! passes the plane between the two crosses the surface there.
 //!
-//! If that is the plane of the end at which the ray comes to the solid, nothing of the solid hides the flat
+//! If that is the plane of the end at which the ray comes to the solid, no part of the solid hides the flat
 //! part: all of the solid lies beyond the plane. On any other plane it is seen if g keeps its sign on the way
 //! there, which a probe certifies.
 
@@ -13,7 +13,7 @@ use crate::math::minmax::{greater, lesser};
 
 impl Sweep<'_> {
     /// The span of pixels, from the i-th on, that may see a cap or a ring: on the plane at which the i-th ray
-    /// comes to the solid, or on the one that `root.plane` names. Nothing hides that from these pixels: each
+    /// comes to the solid, or on the one that `root.plane` names. No part of the solid hides that from these pixels: each
     /// sees it if its ray [passes](Sweep::passes) through it, as the i-th does. The `flat` of the sweep is
     /// set to it. `None` if the i-th is not certain to see one; then `root.plane` names none.
     #[inline(always)]

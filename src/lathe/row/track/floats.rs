@@ -32,9 +32,9 @@ impl Numbers {
         // If the rays begin near the solid, each root is to be compared with that place.
         let certain = if bounds.start > f32::NEG_INFINITY { f32::INFINITY } else { root.certificate.slope };
         let step_tolerance = root.certificate.own.step_tolerance;
-        // Within the tolerance of the solid's ends and of steps, in height, the row decides nothing. Nor does it
-        // within the slip of any other knot where the ray leaves the solid: at a sharp waist, rounding decides
-        // whether it leaves.
+        // A root is undecided if its height is within the tolerance of an end or of a step. A root where the ray
+        // leaves the solid is also undecided within the slip of any other knot: at a sharp waist, rounding decides
+        // whether the ray leaves there.
         let pad = bounds.tolerance * segment.per_height;
         let slip = if sign < 0.0 { bounds.slip } else { 0.0 };
         let knot_pad = greater(bounds.knot_tolerance, slip) * segment.per_height;

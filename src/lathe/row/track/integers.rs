@@ -113,8 +113,8 @@ impl Numbers {
         let square = exponent(certificate.own.step_tolerance * certificate.slope) - 3;
         let near = fixed(power_of_two((square >> 1).clamp(-100, 100)), numbers.s).min(1 << 18);
 
-        // Within the tolerance of the solid's ends and of steps, in height, the row decides nothing; nor within
-        // the slip of any other knot, since a crease that is seen edge on may be a silhouette.
+        // A root is undecided if its height is within the tolerance of an end or of a step, or within the slip of
+        // any other knot: a crease that is seen edge on may be a silhouette.
         let knot_pad = greater(bounds.knot_tolerance, bounds.slip);
         let [pad, knot_pad] = [bounds.tolerance, knot_pad].map(|pad| fixed(pad, numbers.p));
         let below = half - if root.index == 0 { pad } else { knot_pad };

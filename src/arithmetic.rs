@@ -7,11 +7,10 @@
 //! computed once for a row, and single rays, are floats everywhere. On a machine with an FPU the integers
 //! would take more instructions, because each product is followed by a shift and each range by a comparison.
 //!
-//! The tests compare both with single rays. Each gives the same bits on every machine; the two differ by a
-//! step of a color channel in fewer than one pixel of 10 000. A build can choose by
-//! `--cfg embedded_lathe_arithmetic="floats"` or `"integers"`; otherwise the target's architecture and ABI
-//! decide. Of a RISC-V they do not say whether it has an FPU, not to stable Rust: one that has should choose
-//! floats.
+//! The tests compare both with single rays. Each gives the same bits on every machine; the two differ by one
+//! *shade* of a color channel in fewer than one pixel of 10 000. A build can choose by `--cfg
+//! embedded_lathe_arithmetic="floats"` or `"integers"`; otherwise the target's architecture and ABI decide.
+//! Of a RISC-V they do not say whether it has an FPU, not to stable Rust: one that has should choose floats.
 
 // One of the two is not used.
 #[allow(dead_code, unused_imports)]
@@ -69,7 +68,7 @@ mod tests {
         let (mut worst, mut lit, mut glossy) = ([0.0_f32; 2], 0, 0);
         let share = |share: super::Share| share.units() as f32 / super::Share::UNITS;
         for number in 0..20_000 {
-            let (gradient, unit, first, step) = (
+            let (gradient, unit, first, change) = (
                 even.vector() * libm::exp2f(30.0 * even.next()),
                 even.unit(),
                 even.unit(),
@@ -79,7 +78,7 @@ mod tests {
             let (column, shininess) = (number % 240, [1, 2, 15, 60, 255][number as usize % 5]);
             let (a, b) = (floats::Seen::new(gradient), integers::Seen::new(gradient));
             let (la, lb) = (floats::ToLight::new(unit).mirrored(n), integers::ToLight::new(unit).mirrored(n));
-            let (va, vb) = (floats::Views::new(first, step, 240), integers::Views::new(first, step, 240));
+            let (va, vb) = (floats::Views::new(first, change, 240), integers::Views::new(first, change, 240));
             let (ca, cb) = (a.cosine(&la), b.cosine(&lb));
             let cosines = [share(ca.share()), share(cb.share())];
             let highlights = [

@@ -247,7 +247,7 @@ impl Row<'_> {
 
     /// The difference between the rays of neighbouring pixels, and the projection: in perspective it is the
     /// difference of their directions, in orthographic view that of their origins.
-    pub fn step(&self) -> (F32x3, Projection) {
+    pub fn change(&self) -> (F32x3, Projection) {
         (self.camera.right * (2.0 / self.width as f32), self.camera.projection)
     }
 }

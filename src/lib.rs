@@ -109,10 +109,11 @@
 //! | *tracked root* | the crossing of one pixel's ray carried on to the next by Newton's method |
 //! | *certificate* | why a tracked root is its ray's nearest, and for how many pixels |
 //! | *probe* | an upper bound of g along one ray, and the number of neighbours for which it proves a miss |
+//! | *step* | two squared radii at one knot: between the segment that ends there and the one that begins lies a flat ring. One iteration of Newton's method is always called a Newton step |
 //! | *slope jump* | by how much dF/dz rises at a knot |
 //! | *single ray* | a ray cast for one pixel where the row is undecided |
 //! | *arithmetic* | the numbers in which the pixels of a row are computed: floats, or integers where the machine has no FPU |
-//! | *shade* | a step of a display's color channel; `Paint::shade` makes a pixel of three such numbers |
+//! | *shade* | one value of a display's color channel; `Paint::shade` makes a pixel of three such numbers |
 //!
 //! # What is promised
 //!
@@ -142,7 +143,7 @@
 //! multiplications, divisions and correctly rounded square roots, in a fixed order. For the pixels of a
 //! picture that holds in each *arithmetic*: floats where the machine has a floating-point unit, integers where
 //! it has none (Cortex-M0, M0+, M3; rv32imc). Both show the same solid in every pixel; the colors differ by
-//! one step of a channel in at most one pixel of 10 000. `RUSTFLAGS='--cfg
+//! one shade of a channel in at most one pixel of 10 000. `RUSTFLAGS='--cfg
 //! embedded_lathe_arithmetic="integers"'` or `"floats"` chooses one for any target.
 //!
 //! # Features

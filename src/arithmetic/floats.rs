@@ -55,12 +55,12 @@ pub(crate) struct ToLight(F32x3);
 #[derive(Clone, Copy)]
 pub(crate) struct Cosine(f32);
 
-/// The directions of a row's rays in a solid's own space: `first` that of column 0, `step` the difference
+/// The directions of a row's rays in a solid's own space: `first` that of column 0, `change` the difference
 /// from one column to the next.
 #[derive(Clone, Copy)]
 pub(crate) struct Views {
     first: F32x3,
-    step: F32x3,
+    change: F32x3,
 }
 
 impl ToLight {
@@ -80,8 +80,8 @@ impl ToLight {
 impl Views {
     /// The directions of the columns before `end`.
     #[inline(always)]
-    pub fn new(first: F32x3, step: F32x3, _end: u32) -> Self {
-        Self { first, step }
+    pub fn new(first: F32x3, change: F32x3, _end: u32) -> Self {
+        Self { first, change }
     }
 }
 
@@ -149,7 +149,7 @@ impl Views {
         if !(cosine > 0.0) {
             return Share::NONE;
         }
-        let view = self.first + self.step * column as f32;
+        let view = self.first + self.change * column as f32;
         // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
         // It has the right sign before v is made a unit vector.
         let twice = 2.0 * cosine * per_length;

@@ -53,9 +53,10 @@ impl Numbers {
     /// How far rounding can move a point, given how far it does in floats, which is added: M and D are
     /// floats before they are integers.
     ///
-    /// A coordinate of M is rounded by half a unit; so is that of its step, which is added up to 64 times
-    /// ([`MOST_PIXELS`](crate::lathe::MOST_PIXELS)). One of D is rounded as often; multiplied by s, less than
-    /// 2³⁰ units, that is a quarter as much. Two products are rounded down. Together: 32.5·(1 + ¼) + 2 units.
+    /// A coordinate of M is rounded by half a unit; so is its change from pixel to pixel, which is added up
+    /// to 64 times ([`MOST_PIXELS`](crate::lathe::MOST_PIXELS)). One of D is rounded as often; multiplied by
+    /// s, less than 2³⁰ units, that is a quarter as much. Two products are rounded down. Together: 32.5·(1 +
+    /// ¼) + 2 units.
     pub fn slip(self, slip: f32) -> f32 {
         slip + 43.0 * power_of_two(-self.p)
     }

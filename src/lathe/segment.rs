@@ -30,7 +30,7 @@ pub struct Segment {
     /// that derivative is negative all along the segment.
     pub(super) convexity: f32,
     /// The slope jump at the upper end: by how much the first derivative by height is larger where the next
-    /// segment begins than where this one ends, or zero if it is not larger. Infinite at a step.
+    /// segment begins than where this one ends, or zero if it is not larger. Infinite at a *step*.
     pub(super) slope_jump: f32,
     /// An upper bound of the magnitude of the first derivative by height. NaN or infinite for a segment of no
     /// height.

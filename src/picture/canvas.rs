@@ -61,7 +61,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
     fn tracked(&mut self, sweep: &mut Sweep, i: u32, to: u32) -> u32 {
         let Self { brush, run, depths } = self;
         let mut at = (sweep.column(i) - brush.x) as usize;
-        let step = if sweep.is_reversed() { usize::MAX } else { 1 };
+        let onward = if sweep.is_reversed() { usize::MAX } else { 1 };
         // This minus the index of a pixel in `run` is the index of its mirror image. Without mirror images the
         // difference lies outside of `run`.
         let both = if brush.mirrored.is_some() { run.len().wrapping_sub(1) } else { usize::MAX };
@@ -79,7 +79,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
                 cold_path();
                 depths.both(brush, at, seen.pairs(), s.float());
             }
-            at = at.wrapping_add(step);
+            at = at.wrapping_add(onward);
         })
     }
 

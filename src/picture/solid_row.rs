@@ -37,16 +37,16 @@ impl<'a> SolidRow<'a> {
         has_depth: bool,
     ) -> Self {
         let Ray { origin, direction, unit } = ray(solid, row, 0);
-        let (step, projection) = row.step();
-        let (step, zero) = (solid.direction_into(step), vector([0.0; 3]));
-        let (origin_step, direction_step) = match projection {
-            Projection::Perspective => (zero, step),
-            Projection::Orthographic => (step * unit, zero),
+        let (change, projection) = row.change();
+        let (change, zero) = (solid.direction_into(change), vector([0.0; 3]));
+        let (origin_change, direction_change) = match projection {
+            Projection::Perspective => (zero, change),
+            Projection::Orthographic => (change * unit, zero),
         };
-        let rays = RayRow { origin, origin_step, direction, direction_step };
+        let rays = RayRow { origin, origin_change, direction, direction_change };
         let part = RowPart { width: row.width, start, end, has_depth };
         let sweep = sheet.lathe().sweep(&rays, unit, row.origin_bound(), &part);
-        let views = Views::new(direction, direction_step, end);
+        let views = Views::new(direction, direction_change, end);
         Self { rays: SolidRays { solid, sheet, row, views }, sweep }
     }
 }

@@ -11,9 +11,10 @@ pub(crate) const fn square([x, y, z]: [i32; 3]) -> u64 {
 /// Returns 1/√x in units of 2⁻²⁹, for x from 1/15 to 1 in units of 2⁻³⁰, within 2⁻²⁴ of itself. `y` is a guess,
 /// also in units of 2⁻²⁹: the nearer it is, the sooner the result is found.
 ///
-/// Newton's step is `y ← y + y·r/2` with `r = 1 − x·y²`, and leaves an r of 3/4 of its square. The step with
-/// |r| ≤ 2⁻¹² is the last: it leaves 3/8·2⁻²⁴ of y, and rounding less than 2⁻²⁵. If x·y² is more than 2, the
-/// guess is replaced by 1, which is never too large; from there the result is found in nine steps.
+/// A Newton step is `y ← y + y·r/2` with `r = 1 − x·y²`, and leaves an r of 3/4 of its square. The Newton
+/// step with |r| ≤ 2⁻¹² is the last: it leaves 3/8·2⁻²⁴ of y, and rounding less than 2⁻²⁵. If x·y² is more
+/// than 2, the guess is replaced by 1, which is never too large; from there the result is found in nine
+/// Newton steps.
 #[inline(always)]
 pub(crate) fn inverse_root(x: i32, mut y: i32) -> i32 {
     const ONE: i32 = 1 << 25;

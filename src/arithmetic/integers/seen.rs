@@ -30,14 +30,14 @@ pub(crate) struct ToLight([i32; 3]);
 #[derive(Clone, Copy)]
 pub(crate) struct Cosine(i32);
 
-/// The directions of a row's rays in a solid's own space: `first` that of column 0, `step` the difference
+/// The directions of a row's rays in a solid's own space: `first` that of column 0, `change` the difference
 /// from one column to the next.
 #[derive(Clone, Copy)]
 pub(crate) struct Views {
     /// In units in which no component of any of the directions exceeds 2²⁹.
     first: [i32; 3],
     /// In units of 2^−`finer` of those: rounding, times a column's number, is half a unit of `first` at most.
-    step: [i32; 3],
+    change: [i32; 3],
     finer: u32,
 }
 
@@ -58,18 +58,19 @@ impl ToLight {
 impl Views {
     /// The directions of the columns before `end`.
     #[inline(always)]
-    pub fn new(first: F32x3, step: F32x3, end: u32) -> Self {
+    pub fn new(first: F32x3, change: F32x3, end: u32) -> Self {
         let finer = u32::BITS - end.leading_zeros();
         // Each of the two terms of a direction is less than 2^most.
-        let most = exponent(largest(first)).max(exponent(largest(step)) + finer as i32);
-        let (first, step) = (fixed_vector(first, 28 - most), fixed_vector(step, 28 - most + finer as i32));
-        Self { first, step, finer }
+        let most = exponent(largest(first)).max(exponent(largest(change)) + finer as i32);
+        let (first, change) =
+            (fixed_vector(first, 28 - most), fixed_vector(change, 28 - most + finer as i32));
+        Self { first, change, finer }
     }
 
     /// The direction of a column's ray.
     fn of(&self, column: u32) -> Direction {
-        let step = self.step.map(|step| ((i64::from(step) * i64::from(column)) >> self.finer) as i32);
-        Direction::new([self.first[0] + step[0], self.first[1] + step[1], self.first[2] + step[2]])
+        let change = self.change.map(|change| ((i64::from(change) * i64::from(column)) >> self.finer) as i32);
+        Direction::new([self.first[0] + change[0], self.first[1] + change[1], self.first[2] + change[2]])
     }
 }
 

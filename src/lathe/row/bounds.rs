@@ -17,7 +17,7 @@ use crate::vector::{F32x3, cross, dot, dot_xy, one_norm, vector};
 /// the change is about a hundredth of a pixel if the solid is 240 pixels wide.
 const TOLERANCE: f32 = 1.0 / 4096.0;
 
-/// The error in s that the last step of Newton's method may leave, 2⁻¹⁹: s is counted in lengths of the ray's
+/// The error in s that the last Newton step may leave, 2⁻¹⁹: s is counted in lengths of the ray's
 /// direction.
 ///
 /// If the direction's length is 1, such an error turns the normal of a surface of radius 1 by 2⁻¹⁹, and so
@@ -122,13 +122,13 @@ pub(super) struct SegmentBounds {
     /// The slope that a tracked root must exceed: `2·√(q·tolerance) + 16·ROOT·Q`, Q a bound of |g″/2|.
     ///
     /// A slope A above the first term makes g rise behind the root to A²/(4·q), more than the tolerance, if
-    /// `g″/2 ≥ −q` there. A slope above the second makes certain that there is a root near where Newton's
-    /// last step ends. That step, b, has `b² ≤ ROOT·A/Q`; Kantorovich's theorem asks for `A ≥ 4·Q·b`, which
+    /// `g″/2 ≥ −q` there. A slope above the second makes certain that there is a root near where the last
+    /// Newton step ends. Its length b has `b² ≤ ROOT·A/Q`; Kantorovich's theorem asks for `A ≥ 4·Q·b`, which
     /// follows from `A ≥ 16·Q·ROOT`.
     pub slack: f32,
-    /// ROOT/Q. A step b of Newton's method with `b² ≤ step_tolerance·A` leaves an error of `Q·b²/A` in s,
+    /// ROOT/Q. A Newton step of length b with `b² ≤ newton_tolerance·A` leaves an error of `Q·b²/A` in s,
     /// which is ROOT at most.
-    pub step_tolerance: f32,
+    pub newton_tolerance: f32,
 }
 
 impl RowPart {
@@ -154,7 +154,7 @@ impl<'a> RowBounds<'a> {
     pub fn new(lathe: View<'a>, rays: &RayRow, shift: f32, unit: f32, rough: f32, part: &RowPart) -> Self {
         let (half, center) = (part.half(), part.center());
         let frame = lathe.frame;
-        let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *rays;
+        let RayRow { origin: m, origin_change: m1, direction: d, direction_change: d1 } = *rays;
         // If |M + s·D| ≤ size, then |s| ≤ |M·D|/D² + size/|D|. Of the middle ray M·D is zero. D² is convex in
         // the pixel's number, and so no less than its tangent at the middle.
         let square = dot(d, d);
@@ -260,7 +260,7 @@ impl RowBounds<'_> {
         let most = self.longest + segment.curvature * (self.steep * self.steep);
         let slack = 2.0 * Native::sqrt(self.longest * tolerance) + 16.0 * ROOT * most;
         let least_slope = self.least_slope * (1.0 + 0.5 * segment.max_slope);
-        SegmentBounds { tolerance, slack: greater(slack, least_slope), step_tolerance: ROOT / most }
+        SegmentBounds { tolerance, slack: greater(slack, least_slope), newton_tolerance: ROOT / most }
     }
 
     /// A bound of the difference, in t, between the distance of a tracked root or of a cap and the distance
@@ -269,7 +269,7 @@ impl RowBounds<'_> {
     /// distances are not compared.
     ///
     /// The distance of a root is off by the error of g, from rounding and a run's additions, divided by the
-    /// slope, and by what the last step of Newton's method leaves. Both count twice, for the single ray has
+    /// slope, and by what the last Newton step leaves. Both count twice, for the single ray has
     /// them as well. The error of g is 1 + S/2 times that in a cylinder, so that the quotient is the same for
     /// all segments. The distance of a cap is off by the error of its height divided by |dz|, which is L/4 at
     /// least. In addition every distance is rounded itself.
@@ -283,7 +283,7 @@ impl RowBounds<'_> {
 /// Between the rays n pixels before the middle and n pixels after it, the difference is n times as large:
 /// x² + y² is quadratic in the pixel's number, and only its linear term differs.
 fn asymmetry(rays: &RayRow, span: f32, drop: f32) -> f32 {
-    let RayRow { origin: m, origin_step: m1, direction: d, direction_step: d1 } = *rays;
+    let RayRow { origin: m, origin_change: m1, direction: d, direction_change: d1 } = *rays;
     let odd = dot_xy(m, d1) + dot_xy(m1, d);
     4.0 * (dot_xy(m, m1).abs() + span * (odd.abs() + span * dot_xy(d, d1).abs())) + 2.0 * drop
 }
@@ -303,9 +303,9 @@ impl Plane {
     /// the difference between its height and the height at which the plane meets the axis.
     #[inline(always)]
     fn of(rays: &RayRow, span: f32, square: f32) -> Self {
-        // The plane is spanned by a ray's direction and the step from one ray's point to the next one's, at
-        // s = span. At the s of a common origin that step would be zero.
-        let normal = cross(rays.origin_step + rays.direction_step * span, rays.direction);
+        // The plane is spanned by a ray's direction and the change from one ray's point to the next one's, at
+        // s = span. At the s of a common origin that change would be zero.
+        let normal = cross(rays.origin_change + rays.direction_change * span, rays.direction);
         let per_z = 1.0 / normal.z;
         let spread = Native::sqrt(square * dot_xy(normal, normal)) * per_z.abs();
         Self { height: dot(normal, rays.origin) * per_z, spread }
@@ -315,9 +315,9 @@ impl Plane {
 /// The approximate number of the pixel whose ray passes nearest to a point, counted from the middle of the
 /// part. It is not rounded to a whole number.
 fn nearest_pixel(rays: &RayRow, point: F32x3) -> f32 {
-    let RayRow { origin, origin_step, direction, direction_step } = *rays;
+    let RayRow { origin, origin_change, direction, direction_change } = *rays;
     let there = point - origin;
     let along = dot(there, direction) / dot(direction, direction);
-    let step = origin_step + direction_step * along;
-    dot(there - direction * along, step) / dot(step, step)
+    let change = origin_change + direction_change * along;
+    dot(there - direction * along, change) / dot(change, change)
 }

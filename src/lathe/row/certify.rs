@@ -104,8 +104,8 @@ impl Sweep<'_> {
         if let Some(is_rising) = self.bounds.rising {
             return (is_rising, u32::MAX);
         }
-        let (dz, step) = (self.ray(i).1.z, self.direction.rays.direction_step.z);
-        let turn = -dz / step;
+        let (dz, change) = (self.ray(i).1.z, self.direction.rays.direction_change.z);
+        let turn = -dz / change;
         // The conversion to u32 saturates.
         (dz > 0.0, if turn > 0.0 { i.saturating_add((turn as u32).max(1)) } else { u32::MAX })
     }
@@ -179,7 +179,7 @@ impl Sweep<'_> {
     ///
     /// `u` and `s` are those of the root, `q` that of the ray. As in [`Sweep::track`], the ray is reversed
     /// for a root where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is dg/ds at the
-    /// point where Newton's last step began: the root plus `back` lengths of the direction, along that ray.
+    /// point where the last Newton step began: the root plus `back` lengths of the direction, along that ray.
     ///
     /// Let A be the slope at the root, and w the distance in u from the root back towards the ray's origin.
     /// Then, with g″ taken at the root,

@@ -2,21 +2,21 @@
 
 use crate::vector::{F32x3, dot, sum_scaled};
 
-/// The rays of a row of pixels. The ray of pixel i has origin `origin + i·origin_step` and direction
-/// `direction + i·direction_step`; i counts from any point of the row, so that it need not be whole.
+/// The rays of a row of pixels. The ray of pixel i has origin `origin + i·origin_change` and direction
+/// `direction + i·direction_change`; i counts from any point of the row, so that it need not be whole.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayRow {
     pub origin: F32x3,
-    pub origin_step: F32x3,
+    pub origin_change: F32x3,
     pub direction: F32x3,
-    pub direction_step: F32x3,
+    pub direction_change: F32x3,
 }
 
 impl RayRow {
     /// Counts the rays backwards: pixel i is what pixel −i was.
     pub fn reverse(&mut self) {
-        self.origin_step *= -1.0;
-        self.direction_step *= -1.0;
+        self.origin_change *= -1.0;
+        self.direction_change *= -1.0;
     }
 
     /// Counts the rays from pixel i, and moves each origin along its ray by the same multiple of the
@@ -26,13 +26,13 @@ impl RayRow {
         let (o, d) = self.at(i);
         let shift = -dot(o, d) / dot(d, d);
         (self.origin, self.direction) = (o + d * shift, d);
-        self.origin_step += self.direction_step * shift;
+        self.origin_change += self.direction_change * shift;
         shift
     }
 
     /// The origin and the direction of pixel i's ray.
     #[inline(always)]
     pub fn at(&self, i: f32) -> (F32x3, F32x3) {
-        (sum_scaled(self.origin, self.origin_step, i), sum_scaled(self.direction, self.direction_step, i))
+        (sum_scaled(self.origin, self.origin_change, i), sum_scaled(self.direction, self.direction_change, i))
     }
 }

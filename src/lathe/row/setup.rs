@@ -18,9 +18,9 @@ impl Lathe {
         let frame = lathe.frame;
         let mut rays = RayRow {
             origin: frame.point(rays.origin),
-            origin_step: frame.squashed(rays.origin_step * frame.scale),
+            origin_change: frame.squashed(rays.origin_change * frame.scale),
             direction: frame.squashed(rays.direction),
-            direction_step: frame.squashed(rays.direction_step),
+            direction_change: frame.squashed(rays.direction_change),
         };
         // The rays are counted from the whole row's center first, whatever part is asked for, so that the
         // distance of a far eye is rounded in the same way for all parts. Then they are counted from the
@@ -44,8 +44,8 @@ impl Lathe {
             bounds.is_usable &= !lathe.is_near_edge(height, bounds.tolerance);
         }
         let (origin, direction) = rays.at(bounds.middle as f32 - 0.5 - center);
-        let RayRow { origin_step, direction_step, .. } = rays;
-        let rays = RayRow { origin, origin_step, direction, direction_step };
+        let RayRow { origin_change, direction_change, .. } = rays;
+        let rays = RayRow { origin, origin_change, direction, direction_change };
         let direction = Direction { rays, is_reversed: false, len: part.end - bounds.middle };
         let root = TrackedRoot::none(lathe.segments.first().unwrap_or(&Segment::EMPTY));
         Sweep { bounds, direction, root, flat: Flat::default() }

@@ -118,7 +118,7 @@ impl Sweep<'_> {
             return bound;
         }
         let rises = path.rises();
-        let (step, entry) = if rises { (1, 0) } else { (usize::MAX, frame.len) };
+        let (onward, entry) = if rises { (1, 0) } else { (usize::MAX, frame.len) };
         if frame.has_rings {
             let entry = if near > bounds.start { entry } else { usize::MAX };
             for (t, number, is_behind) in [(near, entry, false), (far, last, true)] {
@@ -162,7 +162,7 @@ impl Sweep<'_> {
                 break;
             }
             from = to;
-            index = index.wrapping_add(step);
+            index = index.wrapping_add(onward);
         }
         bound
     }
@@ -185,7 +185,7 @@ impl Sweep<'_> {
         margin: f32,
         (from, to): (f32, f32),
     ) -> u32 {
-        let (m1, d1) = (self.direction.rays.origin_step, self.direction.rays.direction_step);
+        let (m1, d1) = (self.direction.rays.origin_change, self.direction.rays.direction_change);
         // The motion v at a height is that of the ray's point at fixed s, and along the ray by so much that z
         // does not change: `v0 + v1·s`. From here on s is counted from the middle of the interval, where the
         // ray has its point p and the motion is v.
@@ -219,7 +219,7 @@ impl Sweep<'_> {
 }
 
 /// About where a cubic rises through zero (sign 1) or falls through it (−1): the root of its first three
-/// terms, improved by two of Newton's steps. If there is none, the result may be NaN or any number: it is a
+/// terms, improved by two Newton steps. If there is none, the result may be NaN or any number: it is a
 /// guess.
 fn zero(g: &Cubic, sign: f32) -> f32 {
     let [c0, c1, c2, _] = g.c;

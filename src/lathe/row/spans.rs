@@ -2,7 +2,7 @@
 
 use super::certify::Certification;
 use super::skip::Probe;
-use super::sweep::{STEPS, Span, Start, Sweep, TrackEnd};
+use super::sweep::{NEWTON_STEPS, Span, Start, Sweep, TrackEnd};
 use crate::hit::{Hit, Part};
 
 impl Sweep<'_> {
@@ -56,7 +56,7 @@ impl Sweep<'_> {
         if let Probe::MayMeet(start) = probe {
             self.root.start = Some(start);
             self.root.begin(start);
-            self.root.tries = STEPS;
+            self.root.tries = NEWTON_STEPS;
         }
         probe
     }
@@ -128,7 +128,7 @@ impl Sweep<'_> {
             let s = hit.t * self.bounds.unit - self.bounds.shift;
             self.root.probed = i + 1;
             self.root.begin(Start { index: hit.segment, s, sign: if hit.enters { 1.0 } else { -1.0 } });
-            self.root.tries = STEPS;
+            self.root.tries = NEWTON_STEPS;
         }
     }
 }

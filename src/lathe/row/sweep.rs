@@ -14,13 +14,13 @@ use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
 use core::ops::Range;
 
-/// How many steps of Newton's method are tried for a pixel before it becomes a *single ray*; also, one more
-/// than how many changes of the segment, the root or its certificate are.
+/// How many Newton steps are tried for a pixel before it becomes a *single ray*; also, one more than how many
+/// changes of the segment, the root or its certificate are.
 ///
-/// Count the error of s in units of |dg/ds| divided by |g″/2|. In these units a step squares the error. An
-/// error of 1/4 becomes (2⁻²)¹⁶ = 2⁻³² in four steps, below f32's roundoff. A root that takes longer lies
-/// beside a double root, in the *undecided band*.
-pub(super) const STEPS: u8 = 4;
+/// Count the error of s in units of |dg/ds| divided by |g″/2|. In these units a Newton step squares the
+/// error. An error of 1/4 becomes (2⁻²)¹⁶ = 2⁻³² in four steps, below f32's roundoff. A root that takes
+/// longer lies beside a double root, in the *undecided band*.
+pub(super) const NEWTON_STEPS: u8 = 4;
 
 /// Neighbouring pixels that are computed in the same way. The span begins with the i-th pixel, the one that
 /// [`Sweep::next`] was asked for; `to` is the pixel after the last one.
@@ -84,7 +84,7 @@ pub(super) struct TrackedRoot<'a> {
     /// `sign·s` as predicted for the next pixel; its last change from pixel to pixel; and the last change of
     /// that.
     pub s: f32,
-    pub step: f32,
+    pub change: f32,
     pub bend: f32,
     /// The segment that the root is in, as an index and by reference. After [`TrackedRoot::begin`] only
     /// `index` is right, until [`Sweep::next`] has looked the segment up.
@@ -96,7 +96,7 @@ pub(super) struct TrackedRoot<'a> {
     pub end: Option<TrackEnd>,
     /// One more than how often the segment, the root or its certificate may still be changed before a pixel's
     /// root is found. Each change takes one from it; where it comes to zero, tracking ends instead. When a
-    /// pixel's root has been found, it is [`STEPS`] again.
+    /// pixel's root has been found, it is [`NEWTON_STEPS`] again.
     pub tries: u8,
     /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
     /// there is none.
@@ -164,18 +164,18 @@ impl<'a> TrackedRoot<'a> {
             is_tracked: false,
             sign: 1.0,
             s: 0.0,
-            step: 0.0,
+            change: 0.0,
             bend: 0.0,
             index: 0,
             segment,
             certificate: Certificate {
                 slope: f32::INFINITY,
                 bump: 0.0,
-                own: SegmentBounds { tolerance: 0.0, slack: 0.0, step_tolerance: 0.0 },
+                own: SegmentBounds { tolerance: 0.0, slack: 0.0, newton_tolerance: 0.0 },
                 until: u32::MAX,
             },
             end: None,
-            tries: STEPS,
+            tries: NEWTON_STEPS,
             probed: u32::MAX,
             plane: usize::MAX,
             start: None,
@@ -185,7 +185,7 @@ impl<'a> TrackedRoot<'a> {
     /// Begins to track a root near a place. It has no certificate yet: that of the last root is ended. If the
     /// place is a plane, this ends tracking, and makes the plane the next one to be looked at.
     pub fn begin(&mut self, Start { index, s, sign }: Start) {
-        (self.sign, self.s, self.step, self.bend) = (sign, sign * s, 0.0, 0.0);
+        (self.sign, self.s, self.change, self.bend) = (sign, sign * s, 0.0, 0.0);
         (self.index, self.certificate.until, self.is_tracked) = (index, 0, sign != 0.0);
         if !self.is_tracked {
             self.plane = index;
@@ -252,7 +252,7 @@ impl Sweep<'_> {
     /// right half. `None` if the left half is not known to be a mirror image. Where it is, only the right
     /// half is swept.
     pub fn mirror(&self) -> Option<F32x3> {
-        self.bounds.is_mirrored.then_some(self.direction.rays.origin_step)
+        self.bounds.is_mirrored.then_some(self.direction.rays.origin_change)
     }
 
     /// Turns to the left half of the row, where pixels are counted to the left, with no root tracked, and

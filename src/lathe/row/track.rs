@@ -1,6 +1,6 @@
 //! The innermost loop: a root is tracked from ray to ray, predicted from its last changes and corrected by
-//! Newton's method. It exists twice, see [`arithmetic`](crate::arithmetic): the same steps, tests and
-//! decisions in both.
+//! Newton's method. It exists twice, see [`arithmetic`](crate::arithmetic): the same computation, tests
+//! and decisions in both.
 
 // One of the two is not used.
 #[allow(dead_code)]

@@ -1,7 +1,7 @@
 //! The innermost loop in floats.
 
 use crate::arithmetic::floats::{Length, Numbers, Seen};
-use crate::lathe::row::sweep::{STEPS, Sweep, TrackEnd};
+use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::lathe::segment::Segment;
 use crate::math::cold_path;
 use crate::math::minmax::greater;
@@ -27,11 +27,11 @@ impl Numbers {
         let (m, d) = sweep.ray(i);
         let (mut m, mut d) = (point(m, segment.low), toward(d));
         let rays = &sweep.direction.rays;
-        let (m1, d1) = (point(rays.origin_step, 0.0), toward(rays.direction_step));
+        let (m1, d1) = (point(rays.origin_change, 0.0), toward(rays.direction_change));
         let [c0, c1, c2, c3] = segment.f;
         // If the rays begin near the solid, each root is to be compared with that place.
         let certain = if bounds.start > f32::NEG_INFINITY { f32::INFINITY } else { root.certificate.slope };
-        let step_tolerance = root.certificate.own.step_tolerance;
+        let newton_tolerance = root.certificate.own.newton_tolerance;
         // A root is undecided if its height is within the tolerance of an end or of a step. A root where the ray
         // leaves the solid is also undecided within the slip of any other knot: at a sharp waist, rounding decides
         // whether the ray leaves there.
@@ -41,13 +41,13 @@ impl Numbers {
         let from = if root.index == 0 { pad } else { knot_pad };
         let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
         let width = greater(0.0, 1.0 - from - to_end).to_bits();
-        let (mut s, mut step, mut bend) = (root.s, root.step, root.bend);
+        let (mut s, mut change, mut bend) = (root.s, root.change, root.bend);
         let start = i;
 
         let mut end = TrackEnd::Limit;
         'pixels: while i < to {
             let predicted = s;
-            let mut tries = STEPS;
+            let mut tries = NEWTON_STEPS;
             loop {
                 let (x, y, u) = (m.x + s * d.x, m.y + s * d.y, m.z + s * d.z);
                 let c3u = c3 * u;
@@ -59,9 +59,9 @@ impl Numbers {
                 let slope = f1 * d.z - (b + b);
                 let back = (f - (x * x + y * y)) / slope;
                 s -= back;
-                // After a step the error is at most `back²·|g″/2|/slope`. If the slope is NaN or negative,
-                // the test fails.
-                if !(back * back <= step_tolerance * slope) {
+                // After a Newton step the error is at most `back²·|g″/2|/slope`. If the slope is NaN or
+                // negative, the test fails.
+                if !(back * back <= newton_tolerance * slope) {
                     cold_path();
                     tries -= 1;
                     if tries == 0 || !(slope > 0.0) {
@@ -83,19 +83,19 @@ impl Numbers {
                 see(&wall.seen(x, y, u), Length(sign * s));
                 break;
             }
-            // s is predicted from its first difference, `step`, and its second one, `bend`. The error of the
+            // s is predicted from its first difference, `change`, and its second one, `bend`. The error of the
             // prediction that was just corrected is added to `bend`.
             bend += s - predicted;
-            step += bend;
-            s += step + bend;
+            change += bend;
+            s += change + bend;
             m += m1;
             d += d1;
             i += 1;
         }
         let root = &mut sweep.root;
-        (root.s, root.step, root.bend, root.end) = (s, step, bend, Some(end));
+        (root.s, root.change, root.bend, root.end) = (s, change, bend, Some(end));
         if i > start {
-            root.tries = STEPS;
+            root.tries = NEWTON_STEPS;
         }
         i
     }

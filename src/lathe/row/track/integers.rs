@@ -3,8 +3,8 @@
 //! | number | bits behind the point |
 //! |---|---|
 //! | s, and its changes | `numbers.s` |
-//! | D, and its step | `numbers.d` |
-//! | M, its step, and a point's x, y and z | `numbers.p` |
+//! | D, and its change from pixel to pixel | `numbers.d` |
+//! | M, its change from pixel to pixel, and a point's x, y and z | `numbers.p` |
 //! | v, the parameter of a segment's cubic | 31 |
 //! | x and y before they are squared | 29 − block |
 //! | f and g | 26 − 2·block |
@@ -19,7 +19,7 @@ mod shift;
 mod wall;
 
 use crate::arithmetic::integers::{Length, Numbers, Seen, exponent, fixed, fixed_vector, high, power_of_two};
-use crate::lathe::row::sweep::{STEPS, Sweep, TrackEnd};
+use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::math::cold_path;
 use crate::math::minmax::greater;
 use crate::vector::{F32x3, dot_xy, vector};
@@ -71,11 +71,11 @@ impl Numbers {
         let (m, d) = sweep.ray(i);
         let rays = &sweep.direction.rays;
         let ([mut mx, mut my, mut mz], [mut dx, mut dy, mut dz]) = (point(m), toward(d));
-        let ([mx1, my1, mz1], [dx1, dy1, dz1]) = (point(rays.origin_step), toward(rays.direction_step));
+        let ([mx1, my1, mz1], [dx1, dy1, dz1]) = (point(rays.origin_change), toward(rays.direction_change));
         let exceeds = |[x, y, z]: [i32; 3], most: u32| {
             x.unsigned_abs() > most || y.unsigned_abs() > most || z.unsigned_abs() > most
         };
-        // After a step of less than 2²⁹ units from an M in range the next does not wrap around.
+        // From an M in range, a change of less than 2²⁹ units does not make the next one wrap around.
         let to = if exceeds([mx1, my1, mz1], 1 << 29) { to.min(i + 1) } else { to };
         let is_tracked = !exceeds([mx, my, mz], 1 << 30) && block <= MOST_BLOCK;
         let to = if is_tracked { to } else { i };
@@ -101,16 +101,16 @@ impl Numbers {
             [certain, certificate.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
         let least = least.max(1 << 12);
         // σ without its last `spare` bits has 13 or more, and its inverse in units of 2^(−32 − spare) at most
-        // 2²⁰. A step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by 2¹⁰.
+        // 2²⁰. A Newton step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by 2¹⁰.
         let spare = (19 - least.leading_zeros() as i32).max(0) as u32;
         let scale = numbers.s - 30 + 31 + block - (31 - numbers.d) - finer.max(0);
         let left = scale - spare as i32 - 10;
         let zoom = left.max(1);
-        let step_right = (zoom - left) as u32;
+        let back_right = (zoom - left) as u32;
         let most_zoomed = 1 << (31 - zoom);
-        // The last step b has b² ≤ step_tolerance·A/4: it leaves ROOT/4; and is at most 2¹⁸ units, because the
-        // inverse is within 2⁻¹⁰ of itself: that leaves 2⁸ units.
-        let square = exponent(certificate.own.step_tolerance * certificate.slope) - 3;
+        // The last Newton step, of length b, has b² ≤ newton_tolerance·A/4: it leaves ROOT/4; and is at most
+        // 2¹⁸ units, because the inverse is within 2⁻¹⁰ of itself: that leaves 2⁸ units.
+        let square = exponent(certificate.own.newton_tolerance * certificate.slope) - 3;
         let near = fixed(power_of_two((square >> 1).clamp(-100, 100)), numbers.s).min(1 << 18);
 
         // A root is undecided if its height is within the tolerance of an end or of a step, or within the slip of
@@ -124,12 +124,12 @@ impl Numbers {
 
         let unit = power_of_two(-numbers.s);
         let signed_unit = if is_inside { -unit } else { unit };
-        let [mut s, mut step, mut bend] = [root.s, root.step, root.bend].map(|s| fixed(s, numbers.s));
+        let [mut s, mut change, mut bend] = [root.s, root.change, root.bend].map(|s| fixed(s, numbers.s));
         let start = i;
         let mut end = if is_tracked { TrackEnd::Limit } else { TrackEnd::Uncertified };
         'pixels: while i < to {
             let predicted = s;
-            let mut tries = STEPS;
+            let mut tries = NEWTON_STEPS;
             loop {
                 let x = mx.wrapping_add(high(s, dx));
                 let y = my.wrapping_add(high(s, dy));
@@ -153,7 +153,7 @@ impl Numbers {
                     break 'pixels;
                 };
                 let back = if is_within(g, most_zoomed) {
-                    high(g << zoom, (per_sigma << 10) as i32) >> step_right
+                    high(g << zoom, (per_sigma << 10) as i32) >> back_right
                 } else {
                     cold_path();
                     let right = 32 + spare as i32 - scale;
@@ -181,8 +181,9 @@ impl Numbers {
                     let d = vector([dx, dy, dz].map(|d| d as f32 * power_of_two(-numbers.d)));
                     let slope = sigma as f32 * power_of_two(-slope_bits);
                     let back = back as f32 * unit;
-                    // `near` is for slopes that the certificate accepts. A smaller one asks for a smaller step.
-                    if !(4.0 * back * back <= certificate.own.step_tolerance * slope) {
+                    // `near` is for slopes that the certificate accepts. A smaller slope asks for a shorter
+                    // Newton step.
+                    if !(4.0 * back * back <= certificate.own.newton_tolerance * slope) {
                         tries -= 1;
                         if tries == 0 {
                             end = TrackEnd::Diverged;
@@ -206,17 +207,17 @@ impl Numbers {
             }
             // s is predicted as in floats.
             bend = bend.wrapping_add(s.wrapping_sub(predicted));
-            step = step.wrapping_add(bend);
-            s = s.wrapping_add(step).wrapping_add(bend);
+            change = change.wrapping_add(bend);
+            s = s.wrapping_add(change).wrapping_add(bend);
             (mx, my, mz) = (mx.wrapping_add(mx1), my.wrapping_add(my1), mz.wrapping_add(mz1));
             (dx, dy, dz) = (dx.wrapping_add(dx1), dy.wrapping_add(dy1), dz.wrapping_add(dz1));
             i += 1;
         }
         let root = &mut sweep.root;
-        [root.s, root.step, root.bend] = [s, step, bend].map(|s| s as f32 * unit);
+        [root.s, root.change, root.bend] = [s, change, bend].map(|s| s as f32 * unit);
         root.end = Some(end);
         if i > start {
-            root.tries = STEPS;
+            root.tries = NEWTON_STEPS;
         }
         i
     }

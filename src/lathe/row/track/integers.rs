@@ -147,9 +147,11 @@ impl Numbers {
                 let g = f - (high(near_x, near_x) + high(near_y, near_y));
                 let sigma =
                     (high(slope, dz) >> f_right) - ((high(near_x, dx) + high(near_y, dy)) >> xy_right);
+                // With a smaller slope no root is certified. Beyond a silhouette there is none, which a probe finds
+                // out: so this does not end as a root without a certificate does.
                 let divisor = if sigma < least { 0 } else { sigma as u32 >> spare };
                 let Some(per_sigma) = u32::MAX.checked_div(divisor) else {
-                    end = TrackEnd::Uncertified;
+                    end = TrackEnd::Diverged;
                     break 'pixels;
                 };
                 let back = if is_within(g, most_zoomed) {

@@ -10,7 +10,8 @@
 //! The tests compare both with single rays. Each gives the same bits on every machine; the two differ by one
 //! *shade* of a color channel in fewer than one pixel of 10 000. A build can choose by `--cfg
 //! embedded_lathe_arithmetic="floats"` or `"integers"`; otherwise the target's architecture and ABI decide.
-//! Of a RISC-V they do not say whether it has an FPU, not to stable Rust: one that has should choose floats.
+//! Whether a RISC-V has an FPU, the build script knows by the target's name: see
+//! [`Native`](crate::math::Native).
 
 // One of the two is not used.
 #[allow(dead_code, unused_imports)]
@@ -30,7 +31,7 @@ pub(crate) use floats::*;
         not(embedded_lathe_arithmetic = "floats"),
         any(
             all(target_arch = "arm", not(target_abi = "eabihf")),
-            all(target_arch = "riscv32", not(target_feature = "f")),
+            all(target_arch = "riscv32", not(any(target_feature = "f", embedded_lathe_riscv_f))),
         )
     )
 ))]

@@ -6,8 +6,14 @@ use super::{Libm, Math};
 /// | machine | root |
 /// |---|---|
 /// | hard-float Arm without an operating system | `vsqrt.f32` |
-/// | any with an operating system, feature `std` | the standard library's |
+/// | RISC-V with the extension F | `fsqrt.s` |
+/// | any other with an operating system, feature `std` | the standard library's |
 /// | any other | [`Libm`]'s |
+///
+/// Whether a RISC-V has F, stable Rust does not show to `cfg`. The crate's build script knows it by the
+/// target's name, such as `riscv32imafc-unknown-none-elf`. For a target whose name does not say it,
+/// `RUSTFLAGS='--cfg embedded_lathe_riscv_f'` does; without that the root is computed by software, with the
+/// same bits, and pictures in integers.
 ///
 /// ```
 /// use embedded_lathe::math::{Libm, Math, Native};
@@ -57,15 +63,41 @@ fn sqrt(x: f32) -> f32 {
     f32::from_bits(root)
 }
 
-#[cfg(all(feature = "std", not(target_os = "none")))]
-use super::Std as Root;
-#[cfg(any(not(feature = "std"), target_os = "none"))]
-#[cfg(not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf")))]
-use Libm as Root;
+/// √x by the instruction `fsqrt.s`.
+#[cfg(all(
+    any(target_arch = "riscv32", target_arch = "riscv64"),
+    any(target_feature = "f", embedded_lathe_riscv_f)
+))]
+#[inline(always)]
+#[allow(unsafe_code)]
+fn sqrt(x: f32) -> f32 {
+    let root: f32;
+    // SAFETY: the instruction belongs to F, and writes one register and the flags, which are declared. Without
+    // F there are no registers of the class `freg`, and this does not compile.
+    unsafe {
+        core::arch::asm!(
+            "fsqrt.s {root}, {x}",
+            x = in(freg) x,
+            root = lateout(freg) root,
+            options(pure, nomem, nostack),
+        );
+    }
+    root
+}
 
 /// √x by the standard library, or by [`Libm`] without it.
-#[cfg(not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf")))]
+#[cfg(not(any(
+    all(target_arch = "arm", target_os = "none", target_abi = "eabihf"),
+    all(
+        any(target_arch = "riscv32", target_arch = "riscv64"),
+        any(target_feature = "f", embedded_lathe_riscv_f)
+    )
+)))]
 #[inline(always)]
 fn sqrt(x: f32) -> f32 {
+    #[cfg(not(all(feature = "std", not(target_os = "none"))))]
+    use super::Libm as Root;
+    #[cfg(all(feature = "std", not(target_os = "none")))]
+    use super::Std as Root;
     Root::sqrt(x)
 }

@@ -47,8 +47,12 @@ impl Pose {
         if !finite(vector(position)) {
             return Err(SceneError::Position { position });
         }
-        if !rotation.is_finite() {
-            return Err(SceneError::Rotation);
+        let (rows, mut row) = (rotation.rows(), 0);
+        while row < 3 {
+            if !finite(vector(rows[row])) {
+                return Err(SceneError::Rotation { row, elements: rows[row] });
+            }
+            row += 1;
         }
         if !(scale >= 1e-30 && scale <= 1e30) {
             return Err(SceneError::Scale { scale });

@@ -51,8 +51,14 @@ pub enum SceneError {
         /// Its determinant, which should be 1.
         determinant: f32,
     },
-    /// A pose's rotation was made from an angle outside −10 000 to 10 000 radians, or from NaN.
-    Rotation,
+    /// A pose's rotation was made from an angle outside −10 000 to 10 000 radians, or from NaN: its matrix
+    /// contains NaN.
+    Rotation {
+        /// The first row of the matrix that contains NaN, from 0.
+        row: usize,
+        /// The elements of that row.
+        elements: [f32; 3],
+    },
     /// A solid's scale is not between 10⁻³⁰ and 10³⁰.
     Scale {
         /// The scale given.
@@ -159,9 +165,14 @@ impl SceneError {
                 Text("the rotation's matrix must not mirror, and has the determinant "),
                 Number(determinant),
             ]),
-            Self::Rotation => {
-                Message::of([Text("the rotation is by an angle that is not from -10000 to 10000")])
-            }
+            Self::Rotation { row, elements } => Message::of([
+                Text(
+                    "the rotation must be by angles from -10000 to 10000, which make its matrix finite; row ",
+                ),
+                Count(row),
+                Text(" is "),
+                Vector(elements),
+            ]),
             Self::Scale { scale } => {
                 Message::of([Text("the scale must be from 1e-30 to 1e30, and is "), Number(scale)])
             }

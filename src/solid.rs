@@ -68,7 +68,11 @@ impl<'a> Solid<'a> {
     ///     &[0.16, 0.2, 0.22, 0.25, 0.2],
     /// )?
     /// .base(End::Capped));
-    /// const HOLLOW: Profile<1> = valid!(Profile::from_squared_radii(&[0.1, 1.0], &[0.12, 0.16, 0.18, 0.2])?.base(End::Capped));
+    /// const HOLLOW: Profile<1> = valid!(Profile::from_squared_radii(
+    ///     &[0.1, 1.0],
+    ///     &[0.12, 0.16, 0.18, 0.2],
+    /// )?
+    /// .base(End::Capped));
     ///
     /// static SHEETS: [Lathe<[Segment; 1]>; 2] = [Lathe::turn(WALL), Lathe::turn_beside(HOLLOW, &WALL)];
     /// static CUP: [Sheet; 2] = [Sheet::outer(&SHEETS[0]), Sheet::inner(&SHEETS[1]).colored(Rgb::WHITE)];

@@ -483,7 +483,10 @@ fn a_scene_needs_numbers() {
     let position = [f32::INFINITY, 0.0, 0.0];
     assert_eq!(Pose::new(position, Rotation::IDENTITY, 1.0), Err(Position { position }));
     for angle in [f32::NAN, f32::INFINITY, 10_001.0, -1e9] {
-        assert_eq!(Pose::new(origin, Rotation::about_x(angle), 1.0), Err(SceneError::Rotation));
+        let wrong = SceneError::Rotation { row: 1, elements: [0.0, f32::NAN, f32::NAN] };
+        assert_eq!(Pose::new(origin, Rotation::about_x(angle), 1.0), Err(wrong));
+        let wrong = SceneError::Rotation { row: 0, elements: [f32::NAN, f32::NAN, 0.0] };
+        assert_eq!(Pose::new(origin, Rotation::about_z(angle), 1.0), Err(wrong));
         assert_eq!(Rotation::about(up, angle), Err(RotationAngle { angle }));
     }
     for scale in [0.0, 1e-31, 1e31, -1.0, f32::NAN] {

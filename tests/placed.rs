@@ -320,6 +320,24 @@ fn only_the_solids_are_drawn_over_what_is_there() {
     );
 }
 
+/// What a part covers is the part of what the picture covers, moved to where the picture is.
+#[test]
+fn what_a_part_covers_is_cut_to_it() {
+    let picture = scenes::VASE_SCENE.picture(70, 60);
+    let (at, all) = (Point::new(-20, 5), picture.covered());
+    let placed: Placed<Rgb565> = picture.at(at);
+    assert_eq!(placed.covered(), all.translate(at));
+    for part in [area(0, 10, 20, 15), area(-20, 30, 70, 1), area(10, 20, 500, 500)] {
+        let shown = placed.only(&part).covered();
+        assert_eq!(shown, all.translate(at).intersection(&part));
+        assert!(!shown.is_zero_sized() && shown != placed.covered());
+    }
+    // Beside the vase, and without any solid.
+    assert!(placed.only(&area(-20, 5, 3, 60)).covered().is_zero_sized());
+    let none = Scene::new(&[], scenes::VASE_SCENE.camera, scenes::DAYLIGHT);
+    assert_eq!(none.picture(70, 60).at::<Rgb565>(at).covered(), Rectangle::zero());
+}
+
 /// Another solid's picture, and text beside it, stay where the solid is not: the vase in front of the bowl.
 #[test]
 fn a_picture_lies_over_another() {

@@ -94,7 +94,8 @@ fn what_leaves_the_range_of_a_pose_is_an_error() {
     }
     let pivot = [0.0, f32::NAN, 0.0];
     assert!(matches!(Pose::about(pivot, Rotation::IDENTITY), Err(SceneError::Position { .. })));
-    assert_eq!(Pose::about([0.0; 3], Rotation::about_x(f32::NAN)), Err(SceneError::Rotation));
+    let wrong = SceneError::Rotation { row: 1, elements: [0.0, f32::NAN, f32::NAN] };
+    assert_eq!(Pose::about([0.0; 3], Rotation::about_x(f32::NAN)), Err(wrong));
 }
 
 /// A quaternion of an axis and an angle, of any length, is that rotation.

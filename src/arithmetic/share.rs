@@ -1,3 +1,5 @@
+//! Shares: the numbers from 0 to 1 by which colors are multiplied, in both arithmetics.
+
 /// A number from 0 to 1 in fixed point, in units of 2⁻³². 1 itself is 2³² − 1 units.
 #[derive(Clone, Copy)]
 pub(crate) struct Share(u32);

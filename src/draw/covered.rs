@@ -45,7 +45,7 @@ impl Picture<'_> {
     /// does. See [`Picture::covered_by`].
     #[must_use]
     pub fn covered(&self) -> Rectangle {
-        self.rectangle(self.scene().solids)
+        self.rectangle(self.extent(self.scene().solids))
     }
 
     /// A rectangle that holds every pixel of the picture that shows the solid, or would show it if no other
@@ -73,22 +73,27 @@ impl Picture<'_> {
     /// ```
     #[must_use]
     pub fn covered_by(&self, solid: &Solid) -> Rectangle {
-        self.rectangle(core::slice::from_ref(solid))
+        self.rectangle(self.extent(core::slice::from_ref(solid)))
     }
 
-    /// A rectangle that holds every pixel of the picture whose ray hits one of the solids; its size is zero
-    /// if there is no such pixel.
-    fn rectangle(&self, solids: &[Solid]) -> Rectangle {
+    /// The smallest rectangle that holds the [`Solid::extent`] of each of the solids, and so every pixel whose
+    /// ray hits one of them. `None` if it is proven that no ray does.
+    pub(super) fn extent(&self, solids: &[Solid]) -> Option<Extent> {
         let (width, height) = (self.width(), self.height());
         let extents = solids.iter().filter_map(|solid| solid.extent(&self.scene().camera, width, height));
-        let Some(Extent { left, top, right, bottom }) = extents.reduce(Extent::with) else {
+        extents.reduce(Extent::with)
+    }
+
+    /// An extent of the picture as a rectangle of embedded-graphics: its size is zero for `None`.
+    fn rectangle(&self, extent: Option<Extent>) -> Rectangle {
+        let Some(Extent { left, top, right, bottom }) = extent else {
             return Rectangle::zero();
         };
         match (i32::try_from(left), i32::try_from(top)) {
             (Ok(x), Ok(y)) => Rectangle::new(Point::new(x, y), Size::new(right - left, bottom - top)),
             // The solids begin at a pixel that the `i32` coordinates of embedded-graphics cannot number. The
             // whole picture, whose first pixel is at zero, holds them too.
-            _ => Rectangle::new(Point::zero(), Size::new(width, height)),
+            _ => Rectangle::new(Point::zero(), Size::new(self.width(), self.height())),
         }
     }
 }

@@ -127,14 +127,13 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
     }
 
     /// The rectangle of the display that the picture's solids cover: [`Picture::covered`], cut to the part that
-    /// is drawn.
+    /// is drawn. Its size is zero if the two do not overlap, or if no solid is seen.
     #[must_use]
     pub fn covered(&self) -> Rectangle {
-        let Rectangle { top_left: Point { x, y }, size } = self.picture.covered();
-        // The rectangle lies within the picture, so x and y are not negative.
-        let (left, top) = (x as u32, y as u32);
-        let covered = Extent { left, top, right: left + size.width, bottom: top + size.height };
-        self.on_display(covered.cut_to(self.part))
+        match self.picture.extent(self.picture.scene().solids) {
+            Some(covered) => self.on_display(covered.cut_to(self.part)),
+            None => Rectangle::zero(),
+        }
     }
 
     /// Which solid lies under a pixel of the display, where a finger touches it for example: see

@@ -228,12 +228,6 @@ impl Rotation {
         let (a, b, c) = (scale(a, v.x), scale(b, v.y), scale(c, v.z));
         vector([a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z])
     }
-
-    /// Whether no element of the matrix is infinite or NaN.
-    pub(super) const fn is_finite(&self) -> bool {
-        let [a, b, c] = self.rows;
-        finite(a) && finite(b) && finite(c)
-    }
 }
 
 /// By how much an element of a matrix times its transpose may differ from the identity's, for

@@ -1,4 +1,6 @@
-/// A multiplication by a power of two.
+//! The change of a number from one fixed-point format to another.
+
+/// A multiplication by a power of two, from 2⁻³¹ to 2³¹.
 #[derive(Clone, Copy)]
 pub(super) struct Shift {
     left: u32,

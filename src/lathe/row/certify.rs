@@ -187,9 +187,9 @@ impl Sweep<'_> {
     /// `sign·κ²·g = −w·B(w)`, `B = A·|κ| − c₂·w + c₃·w²`, `c₂ = sign·g″/2`, `|c₃| = |f3|·κ²`.
     ///
     /// B is positive at the root and where the ray comes in. So it is positive between if c₃ ≤ 0. If c₃ > 0,
-    /// B is positive between if c₂ < 0 or if its discriminant is negative. The certificate's `bump` stands
-    /// for |f3|. If c₃ ≤ 0 or a concave g is certain, it is zero; then only c₂ < 0 is tested here, beside the
-    /// slope.
+    /// B is positive between if c₂ < 0, if its discriminant is negative, or if it falls all the way: w is at
+    /// most 1, and so before B's vertex if c₂ > 2·c₃. The certificate's `bump` stands for |f3|. If c₃ ≤ 0 or a
+    /// concave g is certain, it is zero; then only the slope is tested here.
     #[cold]
     #[inline(never)]
     pub(super) fn is_nearest_at(&self, u: f32, s: f32, slope: f32, back: f32, q: f32, kappa: f32) -> bool {
@@ -205,6 +205,7 @@ impl Sweep<'_> {
         let square = kappa * kappa;
         let curve = (3.0 * f3 * u + f2) * square - q;
         let (c2, slope) = (self.root.sign * curve, slope - 2.0 * curve * back);
-        slope > own.slack && c2 * c2.abs() < 4.0 * (slope - own.tolerance) * kappa * (bump * square)
+        let c3 = bump * square;
+        slope > own.slack && (c2 > 2.0 * c3 || c2 * c2.abs() < 4.0 * (slope - own.tolerance) * kappa * c3)
     }
 }

@@ -146,12 +146,14 @@ impl Sweep<'_> {
                     bound.tolerance = tolerance;
                     let mut crosses = if g.at(from - at) > 0.0 { -1.0 } else { 1.0 };
                     let mut s = at + zero(&g, crosses);
+                    // Where there is no root, Newton's steps may end anywhere.
+                    let is_root = s <= to && g.at(s - at).abs() < tolerance;
                     let mut place = index;
                     if from > near && (crosses < 0.0) != is_above {
                         // Between the two segments sign·g jumps over zero.
                         (crosses, s, place) = (0.0, from, index + usize::from(!rises));
                     }
-                    is_above = crosses < 0.0 && !(s <= to);
+                    is_above = crosses < 0.0 && !is_root;
                     if !is_above {
                         bound.start = Some(Start { index: place, s: greater(from, s), sign: crosses });
                     }

@@ -7,15 +7,15 @@ use core::hint::black_box;
 
 /// Runs `work`, on a Cortex-M between m4cycles' two marks; with its result, the clock's instructions.
 ///
-/// QEMU counts by blocks, and each `isb` ends one: so m4cycles sees `work` and just 3 instructions more,
-/// the clock at most 80 more or fewer. Aligned, for QEMU forgets the plugin at an `isb` that crosses a page.
+/// QEMU counts by blocks, and each `isb` ends one: so m4cycles sees `work` and 3 instructions more (4 if an
+/// `isb` crosses a page), the clock at most 80 more or fewer.
 #[inline(always)]
 pub fn measure<T>(work: impl FnOnce() -> T) -> (T, u64) {
     let start = clock::instructions();
     // SAFETY: moving a register to itself and waiting for the pipeline change nothing.
     #[cfg(target_arch = "arm")]
     unsafe {
-        asm!(".p2align 3", "mov r10, r10", "isb")
+        asm!("mov r10, r10", "isb")
     };
     let result = black_box(black_box(work)());
     // SAFETY: as above.

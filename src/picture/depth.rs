@@ -82,11 +82,12 @@ impl<'a, C: Paint> Depths<'a, C> {
             *nearest = distance;
         } else {
             cold_path();
-            let (before, t) = block.compare(brush.rays, brush.column(at), *nearest, distance);
+            let (before, t) = block.compare(brush.rays, brush.column(at), *nearest, distance, *error);
             // The minus sign marks the distance as a single ray's: if a further sheet comes as near at this
             // pixel, `compare` takes it as it is, and casts no rays at the sheets painted so far.
-            *nearest = -lesser(before, t);
-            if !(t < before) {
+            let is_shown = t < before.abs();
+            *nearest = if is_shown { -t } else { before };
+            if !is_shown {
                 return None;
             }
         }
@@ -95,29 +96,29 @@ impl<'a, C: Paint> Depths<'a, C> {
 }
 
 impl Block<'_> {
-    /// Two distances as single rays of a column find them, where the known ones are closer together than
-    /// their errors: that of the nearest sheet painted before, and that of the sheet that `rays` are cast at.
-    /// `nearest` and `distance` are the known ones. One that is negative is a single ray's already, and is
-    /// returned without its sign. Otherwise rays are cast anew: for the first distance, one at each sheet of
-    /// the block that was painted before. If the two results are equal, the pixel shows what was painted
-    /// before, which is the first in the slice.
+    /// Two distances of a column, so exact that their order is that which single rays find, where the known
+    /// ones are closer together than their errors: that of the nearest sheet painted before, and that of the
+    /// sheet that `rays` are cast at. `nearest` and `distance` are the known ones, `error` bounds the error of
+    /// one that a sweep has found. The second is returned as a single ray finds it. So is the first,
+    /// negated, unless it is as far from the second as a sweep's error: then it is returned as it is. If the two results are
+    /// equal, the pixel shows what was painted before, which is the first in the slice.
     #[cold]
     #[inline(never)]
-    fn compare(&self, rays: &SolidRays, column: u32, nearest: f32, distance: f32) -> (f32, f32) {
+    fn compare(&self, rays: &SolidRays, column: u32, nearest: f32, distance: f32, error: f32) -> (f32, f32) {
         let t = if distance < 0.0 { -distance } else { rays.distance(rays.solid, rays.sheet, column) };
-        if nearest < 0.0 {
-            return (-nearest, t);
+        if nearest < 0.0 || (nearest - t).abs() > error {
+            return (nearest, t);
         }
         let mut before = f32::INFINITY;
         for rank in self.order.block.. {
             let Some(solid) = self.solids.get(self.order.index(rank)) else { break };
             for sheet in solid.sheets() {
                 if ptr::eq(solid, rays.solid) && ptr::eq(sheet, rays.sheet) {
-                    return (before, t);
+                    return (-before, t);
                 }
                 before = lesser(before, rays.distance(solid, sheet, column));
             }
         }
-        (before, t)
+        (-before, t)
     }
 }

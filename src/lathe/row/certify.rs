@@ -92,10 +92,30 @@ impl Sweep<'_> {
             Before::Clear { until } => {
                 let own = bounds.in_segment(segment);
                 let slope = (passed.slope_jumps + bump * segment.per_height) * bounds.steep + own.slack;
-                Certification::Nearest(Certificate { slope, bump, own, until: until.min(turns) })
+                let certain = greater(slope, self.clear_slope(i, rises, own.tolerance));
+                Certification::Nearest(Certificate { certain, slope, bump, own, until: until.min(turns) })
             }
             Before::MayMeet(start) => Certification::Another(start),
             Before::Undecided => Certification::Undecided,
+        }
+    }
+
+    /// The slope above which a tracked root is certain to lie behind the point where the rays begin by more
+    /// than the tolerance divided by the slope. It is zero if the rays begin before the solid. If they begin near
+    /// it, they do so at one height: then the slope is infinite, unless all of the root's segment lies beyond that height.
+    #[inline(always)]
+    fn clear_slope(&self, i: u32, rises: bool, tolerance: f32) -> f32 {
+        let Self { bounds, root, .. } = self;
+        if bounds.start == f32::NEG_INFINITY {
+            return 0.0;
+        }
+        let (m, d) = self.ray(i);
+        let height = m.z + bounds.start * d.z;
+        let beyond = if rises { root.segment.low - height } else { height - root.segment.high };
+        if beyond > bounds.tolerance {
+            tolerance * bounds.steep / (beyond - bounds.tolerance)
+        } else {
+            f32::INFINITY
         }
     }
 

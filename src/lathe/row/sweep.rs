@@ -126,6 +126,9 @@ pub(super) enum TrackEnd {
 /// and how long they hold.
 pub(super) struct Certificate {
     /// The root is the nearest if the slope of g at it is more than this.
+    pub certain: f32,
+    /// The same for a root that lies behind the point where the rays begin by more than the tolerance divided
+    /// by the slope.
     pub slope: f32,
     /// For the second test, [`Sweep::is_nearest_at`]: |f3| of the root's own segment, or zero if the slope of
     /// g alone proves that g keeps its sign in that segment.
@@ -169,6 +172,7 @@ impl<'a> TrackedRoot<'a> {
             index: 0,
             segment,
             certificate: Certificate {
+                certain: f32::INFINITY,
                 slope: f32::INFINITY,
                 bump: 0.0,
                 own: SegmentBounds { tolerance: 0.0, slack: 0.0, newton_tolerance: 0.0 },

@@ -93,12 +93,10 @@ impl Numbers {
         let finer = 2 + block - height;
         let (f_right, xy_right) = ((-finer).max(0) as u32, finer.max(0) as u32);
         let slope_bits = numbers.d - 4 - block - finer.max(0);
-        // If the rays begin near the solid, each root is to be compared with that place.
-        let certain = if bounds.start > f32::NEG_INFINITY { f32::INFINITY } else { certificate.slope };
         // The slope is off by 8 units at most: the derivative of f by 5, of which a product with dz leaves half,
         // four products by one each, and the two bounds by half a unit.
         let [certain, least] =
-            [certain, certificate.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
+            [certificate.certain, certificate.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
         let least = least.max(1 << 12);
         // σ without its last `spare` bits has 13 or more, and its inverse in units of 2^(−32 − spare) at most
         // 2²⁰. A Newton step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by 2¹⁰.

@@ -362,8 +362,9 @@ impl<const N: usize> Profile<N> {
         ends
     }
 
-    /// The largest radius of the wall and of the steps at its ends: too large by a relative 1.5·10⁻⁶ at most,
-    /// too small by 2⁻²⁴ at most. Along x a squashed profile extends farther, to this radius divided by √k.
+    /// The largest radius of the wall and of the steps at its ends. The result exceeds the exact radius by at
+    /// most 1.5·10⁻⁶ of it, and falls short of it by at most 2⁻²⁴ of it. It is the extent along y; along x a
+    /// squashed profile extends farther, to this radius divided by √k.
     #[must_use]
     pub const fn largest_radius(&self) -> f32 {
         // The square is too large by twice `extremes::VALUE_ERROR` at most: the bound is added to a value

@@ -14,18 +14,18 @@ struct Side {
 }
 
 impl<const N: usize> Profile<N> {
-    /// A smooth profile through points of height and radius, from the lowest up. It has a segment between
-    /// each two neighbours of different heights, N at most.
+    /// A smooth profile through points of height and radius, from the lowest up. Each two neighbours of
+    /// different heights are joined by one segment; there may be N segments at most.
     ///
     /// Between two points the radius only grows or only shrinks: it never overshoots the points' radii. A
     /// point given twice is a corner. Two points of the same height and different radii are a step. An end
     /// without a step is open. An end on the axis, at radius 0, is round, or pointed if its point is given
     /// twice. Between two corners without a point between them the outline is a straight line.
     ///
-    /// A stretch from one corner, step or end to the next is exact for a quadric, such as a sphere or a
-    /// hyperboloid, if it has at least three points, its two ends included, and if one of them is on the
-    /// equator or the waist, should the stretch cross it. (A cone needs only two, and at its apex the point
-    /// twice.)
+    /// From one corner, step or end to the next, the outline is exactly that of a quadric, such as a sphere or
+    /// a hyperboloid, if three points or more lie on it there, the first and the last included. If the quadric
+    /// has its equator or its waist between the first and the last of them, another must lie there. (A cone
+    /// needs only two points, and at its apex the point twice.)
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, Segment, valid};

@@ -42,7 +42,7 @@ impl LocalRay {
 
     /// The ray through a point in a direction, both in the frame. Its t counts from the point, in units of
     /// `direction`; its shift is 0 and its unit 1. The point should lie near the solid: the rounding errors
-    /// of z and square are relative to the point's distance from the frame's origin.
+    /// of `z` and `square` are relative to the point's distance from the frame's origin.
     #[inline(always)]
     pub fn through(point: F32x3, direction: F32x3) -> Self {
         let (p, d) = (point, direction);

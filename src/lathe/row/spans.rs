@@ -63,15 +63,18 @@ impl Sweep<'_> {
 
     /// Continues where tracking ended before the i-th pixel, for the reason `end`:
     ///
-    /// - at a limit that lies before the certificate's `until`: with the same root and certificate;
-    /// - where the certificate ended, or where the root left its segment for a neighbour: in that segment
-    ///   with a new certificate, or, without one, with another root or a plane that may be nearer;
+    /// - at a limit that lies before the certificate's `until`: the same root is tracked, with the same
+    ///   certificate;
+    /// - at the certificate's `until`, or where the root moved into the neighbouring segment: the root is
+    ///   certified again, in the segment where it is now. If it is the nearest, it is tracked with the new
+    ///   certificate. If another root may be nearer, that one is tracked, and if a plane may be, it is noted
+    ///   in `root.plane`. If neither is certain, or if `root.tries` is used up, this is the last case;
     /// - where the root left its segment at a step or at the solid's end: no root is tracked, and the plane
     ///   there is noted in `root.plane`. At the solid's end the i-th pixel is not to be probed;
-    /// - where Newton's method diverged: no root is tracked, and the i-th pixel may be probed;
-    /// - where the root is uncertified, or where the second case is not possible or has been tried too often:
-    ///   no root is tracked, and the i-th pixel is not to be probed, since a probe would find the same root
-    ///   again.
+    /// - where Newton's method diverged: no root is tracked. The i-th pixel may be probed, since the root may
+    ///   have jumped to another place;
+    /// - where the root is uncertified: no root is tracked, and the i-th pixel is not to be probed, since a
+    ///   probe would find the same root again.
     #[inline(never)]
     fn resume(&mut self, i: u32, end: TrackEnd) {
         let root = &mut self.root;

@@ -13,9 +13,10 @@ use crate::arithmetic::{Length, Seen};
 
 /// How many pixels at most are tracked in one call.
 ///
-/// From pixel to pixel M and D grow by an addition. In floats, after 64 of these, they are off by 64·2⁻²⁴ of
-/// the solid's size at most, and g by four times that, 2⁻¹⁶, which is a sixteenth of the tolerance. In
-/// integers the additions are exact; the rounding of what is added is part of the row's slip.
+/// From pixel to pixel M and D are changed by an addition. In floats, after 64 additions, they are off by
+/// 64·2⁻²⁴ of the solid's size at most, and g by four times that, 2⁻¹⁶, which is a sixteenth of the
+/// tolerance. In integers the additions are exact; how far rounding of what is added can move a point is part
+/// of the row's slip.
 const MOST_PIXELS: u32 = 64;
 
 impl Sweep<'_> {
@@ -26,9 +27,10 @@ impl Sweep<'_> {
         (i + MOST_PIXELS.min(self.direction.len - i)).min(self.root.certificate.until)
     }
 
-    /// Tracks the root from the i-th pixel to before pixel `to`, and calls `see` for each, with what it sees
-    /// and the s of the root. Returns the first pixel for which `see` was not called, `to` at most: tracking
-    /// has ended there, and [`Sweep::next`] is to be asked for what follows.
+    /// Tracks the root from the i-th pixel to before pixel `to`, which is at most [`Sweep::limit`]. Calls
+    /// `see` for each of these pixels, with what it sees and the s of the root. Returns the first pixel for
+    /// which `see` was not called: `to`, or an earlier one if tracking ended there. The reason is noted for
+    /// [`Sweep::next`], which returns the span that begins with that pixel.
     #[inline(always)]
     pub fn track(&mut self, i: u32, to: u32, see: impl FnMut(&Seen, Length)) -> u32 {
         self.bounds.numbers.track(self, i, to, see)

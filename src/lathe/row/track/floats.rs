@@ -8,7 +8,7 @@ use crate::math::minmax::greater;
 use crate::vector::{F32x3, dot_xy, vector};
 
 impl Numbers {
-    /// Does what [`Sweep::track`] does.
+    /// [`Sweep::track`] in floats.
     #[inline(always)]
     pub(in crate::lathe::row) fn track(
         self,
@@ -100,7 +100,7 @@ impl Numbers {
     }
 }
 
-/// What the normals of a segment's wall are computed from, at the points of a tracked root.
+/// What the normals of a segment's wall are computed from where a root is tracked.
 struct Wall {
     /// √k times the root's sign.
     signed_squash: f32,

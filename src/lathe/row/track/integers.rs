@@ -1,5 +1,8 @@
 //! The innermost loop in integers.
 //!
+//! Each number has the bits behind the point that the table says, with the `numbers` of the row, see
+//! [`Numbers`], and the `block` of the segment, see [`Wall::block`]:
+//!
 //! | number | bits behind the point |
 //! |---|---|
 //! | s, and its changes | `numbers.s` |
@@ -9,10 +12,16 @@
 //! | x and y before they are squared | 29 − block |
 //! | f and g | 26 − 2·block |
 //!
-//! Additions are exact, and wrap around where a result is not used. M is in range where its ray meets the
-//! solid, and s·D always; so, if the sum of both wraps around, it is out of the range in which x, y and z are
-//! used. From a point in that range everything is computed without overflow. What is accepted depends on the
-//! point alone, not on how the loop came to it.
+//! Additions are exact unless they wrap around, and no result that has wrapped around is used:
+//!
+//! - M: where its ray meets the solid it is less than 2³⁰ units ([`Numbers::p`]), and it changes by less than
+//!   2²⁹ units from pixel to pixel. So it does not wrap around at the pixel after one whose root was found.
+//! - M + s·D: since s·D is at most 2³⁰ units, a sum that has wrapped around is 2³⁰ units or more. The loop
+//!   goes on only with an x, y and z that are less.
+//! - What is computed from such an x, y and z does not overflow.
+//!
+//! Whether a root is accepted depends on its point alone, not on the points from which Newton's method came
+//! to it.
 
 mod gradient;
 mod shift;
@@ -26,13 +35,18 @@ use crate::vector::{F32x3, dot_xy, vector};
 use gradient::Gradient;
 use wall::Wall;
 
-/// With a larger [`Wall::block`] no root is tracked. With this one rounding changes g by less than the
-/// additions of a run do in floats, 2⁻¹⁶: the coefficients of f, its three products, two squares and their
-/// sums, each rounded by half a unit to two units, are off by 10 units of 2^(2·block − 26) together.
+/// In a segment with a larger [`Wall::block`] no root is tracked.
 ///
-/// Where f is between 0 and 4, its coefficients in powers of 2·v/h′, with h′ from 1/2 to 1, are those of
-/// Chebyshev's cubic at most: 4, 6, 4 and 8. Of all such cubics those with the sum of [`Wall::block`] above
-/// 2¹⁰, which asks for a larger block, have a coefficient near the largest and an h′ near 1/2.
+/// With this one rounding changes g by less than 2⁻¹⁶, which is what the additions of a run may do in floats.
+/// For what is rounded, by half a unit to two units each, are the coefficients of f, three products, and two
+/// squares: together 10 units of 2^(2·block − 26).
+///
+/// Few segments have a larger one, for which the sum that defines `block` must be 2¹⁰ or more. Let h′ be the
+/// segment's height divided by 2^`height` of the [`Wall`], from 1/2 to 1. In the segment w = 2·v/h′ is
+/// between −1 and 1, and f between 0 and 4. So the coefficients of f in powers of w are at most 4, 6, 4 and
+/// 8: f − 2 is between −2 and 2, and of all such cubics those that are twice a Chebyshev polynomial have the
+/// largest coefficients. With these limits the sum is 2¹⁰ or more only if the coefficient of w³ exceeds 4.5
+/// and h′ is below 0.6.
 const MOST_BLOCK: i32 = 3;
 
 /// Whether x is from −limit to before limit.
@@ -42,7 +56,7 @@ fn is_within(x: i32, limit: i32) -> bool {
 }
 
 impl Numbers {
-    /// Does what [`Sweep::track`] does.
+    /// [`Sweep::track`] in integers.
     #[inline(always)]
     pub(in crate::lathe::row) fn track(
         self,

@@ -4,22 +4,23 @@ use super::shift::Shift;
 use super::wall::Wall;
 use crate::arithmetic::integers::{Direction, Numbers, Seen, fixed, high, inverse_root, square};
 
-/// What the normals at the points of a tracked root are computed from, and the last one's length, with which
-/// the search for the next begins.
+/// What the normals of a segment's wall are computed from where a root is tracked; and the length of the last
+/// normal, from which the search for the next one's length begins.
 pub(super) struct Gradient {
-    /// What brings x and y, and the derivative of f, to the units of a gradient: 2^(block + less − 28), in
-    /// which neither exceeds 2²⁹.
+    /// The multiplications that bring x and y, and the derivative of f, to the unit of the gradient:
+    /// 2^(block − 28), or, where the derivative would exceed 2²⁹ of these, the least power of two in which
+    /// it does not.
     xy: Shift,
     z: Shift,
     /// √k in units of 2⁻³¹; zero if k is 1.
     squash: i32,
     /// Whether the wall is seen from inside.
     is_inside: bool,
-    /// The gradient times 2^zoom has a length from 1/4 to 1.
+    /// The last pixel's gradient was multiplied by 2^zoom to be the `along` of a [`Direction`].
     zoom: u32,
-    /// One over that length, in units of 2⁻²⁹, at the last pixel, or zero at the first, and its last
-    /// change.
+    /// The `per_length` of that [`Direction`]; zero before the first pixel.
     per_length: i32,
+    /// By how much `per_length` changed at the last pixel; zero at the first one.
     change: i32,
 }
 
@@ -27,7 +28,7 @@ pub(super) struct Gradient {
 const MOST_ZOOM: u32 = 10;
 
 impl Gradient {
-    /// For the wall of a segment, seen from outside or from inside. `root_squash` is √k.
+    /// What belongs to the wall of a segment, seen from outside or from inside. `root_squash` is √k.
     pub fn new(wall: &Wall, numbers: Numbers, root_squash: f32, is_inside: bool) -> Self {
         let &Wall { a: [_, a1, a2, a3], block, height, .. } = wall;
         // −½·dF/dz is the derivative over v times −2^(−1 − height). Where |v| ≤ 1/2 it is at most this:

@@ -35,7 +35,7 @@ pub(crate) use floats::*;
         )
     )
 ))]
-pub(crate) use integers::{Length, Numbers, Pairs, Seen, ToLight, Views};
+pub(crate) use integers::{Gloss, Length, Numbers, Pair, Seen, ToLight, Views};
 
 #[cfg(test)]
 mod tests {
@@ -76,15 +76,19 @@ mod tests {
                 even.vector() * 0.01,
             );
             let n = even.unit();
+            let direct = [1.0, 0.85, 0.25][number as usize % 3];
             let (column, shininess) = (number % 240, [1, 2, 15, 60, 255][number as usize % 5]);
             let (a, b) = (floats::Seen::new(gradient), integers::Seen::new(gradient));
-            let (la, lb) = (floats::ToLight::new(unit).mirrored(n), integers::ToLight::new(unit).mirrored(n));
+            let (la, lb) = (
+                floats::ToLight::new(unit, direct).mirrored(n),
+                integers::ToLight::new(unit, direct).mirrored(n),
+            );
             let (va, vb) = (floats::Views::new(first, change, 240), integers::Views::new(first, change, 240));
             let (ca, cb) = (a.cosine(&la), b.cosine(&lb));
-            let cosines = [share(ca.share()), share(cb.share())];
+            let cosines = [share(ca.share(&la)), share(cb.share(&lb))];
             let highlights = [
-                share(va.highlight(column, a.pairs(), ca, &la, shininess)),
-                share(vb.highlight(column, b.pairs(), cb, &lb, shininess)),
+                share(va.highlight(column, &a, ca, &la, &floats::Gloss::new(shininess))),
+                share(vb.highlight(column, &b, cb, &lb, &integers::Gloss::new(shininess))),
             ];
             lit += u32::from(cosines[0] > 0.0);
             glossy += u32::from(highlights[0] > 0.01);
@@ -96,8 +100,16 @@ mod tests {
         assert!(worst[0] >= 0.3e-6 && worst[1] >= 0.8e-6, "the bounds are slack: {worst:?}");
         for up in [1.0, -1.0] {
             let (la, lb) = (vector([0.6, 0.0, 0.8]), vector([0.6, 0.0, 0.8]));
-            let a = share(floats::Seen::flat(up).cosine(&floats::ToLight::new(la)).share());
-            let b = share(integers::Seen::flat(up).cosine(&integers::ToLight::new(lb)).share());
+            let a = share(
+                floats::Seen::flat(up)
+                    .cosine(&floats::ToLight::new(la, 1.0))
+                    .share(&floats::ToLight::new(la, 1.0)),
+            );
+            let b = share(
+                integers::Seen::flat(up)
+                    .cosine(&integers::ToLight::new(lb, 1.0))
+                    .share(&integers::ToLight::new(lb, 1.0)),
+            );
             assert!((a - b).abs() < 1e-6, "{a} {b}");
         }
     }

@@ -1,7 +1,6 @@
 //! The renderer's colors, and the trait of the display colors that it converts them to.
 
 use crate::arithmetic::Share;
-use crate::math::minmax::lesser;
 
 /// A color as a display shows it: red, green and blue from 0 to 1. Light scales the three channels; no gamma
 /// correction is applied.
@@ -48,12 +47,15 @@ impl Rgb {
         Self::new(share, share, share)
     }
 
-    /// This color in shades: each channel times that of `most`, its number of shades. A channel below 0 or
-    /// NaN counts as 0, and one above 1 as 1.
+    /// This color in shades: each channel times that of `most`, its number of shades, which is given four times.
+    /// A channel below 0 or NaN counts as 0, and one above 1 as 1.
     #[inline(never)]
-    pub(crate) fn shades(&self, most: &Self) -> Shades {
-        let cut = |share: f32, most: f32| lesser(share, 1.0) * most;
-        Shades::of(Self::new(cut(self.r, most.r), cut(self.g, most.g), cut(self.b, most.b)))
+    pub(crate) const fn shades(&self, most: &Shades) -> Shades {
+        Shades {
+            r: Share::up_to_one(self.r).quarter_of(most.r),
+            g: Share::up_to_one(self.g).quarter_of(most.g),
+            b: Share::up_to_one(self.b).quarter_of(most.b),
+        }
     }
 
     /// Mixes this color with another: `share` 0 gives this one, 1 the other.
@@ -67,7 +69,7 @@ impl Rgb {
 }
 
 /// A color in the *shades* of a display, which [`Paint::shade`] receives: red, green and blue in fixed point,
-/// in units of 2⁻²³ of one shade. With it the renderer scales a color by a share of light in three integer
+/// in units of 2⁻²¹ of one shade. With it the renderer scales a color by a share of light in three integer
 /// multiplications.
 ///
 /// ```
@@ -92,7 +94,7 @@ impl Rgb {
 pub struct Shades {
     // The shades that `Paint::shade` receives have half a shade added to each channel, the rounding bias: so
     // the whole part of a channel is its nearest shade. With the bias each channel stays below 256 shades,
-    // which are 2³¹ units, so that no sum of two overflows.
+    // which are 2²⁹ units: so four times a channel is less than 2³¹, as a `Share` needs it.
     pub(crate) r: u32,
     pub(crate) g: u32,
     pub(crate) b: u32,
@@ -100,7 +102,7 @@ pub struct Shades {
 
 impl Shades {
     /// One shade, in the units of [`Shades::units`].
-    pub const ONE: u32 = 1 << 23;
+    pub const ONE: u32 = 1 << 21;
 
     /// The nearest whole shade of red, green and blue, of the shades that [`Paint::shade`] receives.
     #[must_use]
@@ -126,15 +128,21 @@ impl Shades {
         Self { r: (shades.r * ONE) as u32, g: (shades.g * ONE) as u32, b: (shades.b * ONE) as u32 }
     }
 
-    /// Each channel of these shades times `share`.
+    /// A quarter of each channel of these shades times `share`.
     #[inline(always)]
-    pub(crate) const fn dimmed(self, share: Share) -> Self {
-        Self { r: share.of(self.r), g: share.of(self.g), b: share.of(self.b) }
+    pub(crate) const fn quarter(self, share: Share) -> Self {
+        Self { r: share.quarter_of(self.r), g: share.quarter_of(self.g), b: share.quarter_of(self.b) }
+    }
+
+    /// Four times these shades.
+    #[inline(always)]
+    pub(crate) const fn times_four(self) -> Self {
+        Self { r: self.r << 2, g: self.g << 2, b: self.b << 2 }
     }
 
     /// The sum of these shades and others. It must be below 256 in each channel.
     #[inline(always)]
-    pub(crate) const fn with(self, other: Self) -> Self {
+    const fn with(self, other: Self) -> Self {
         Self {
             r: self.r.wrapping_add(other.r),
             g: self.g.wrapping_add(other.g),
@@ -146,15 +154,6 @@ impl Shades {
     #[inline(always)]
     pub(crate) const fn rounded(self) -> Self {
         self.with(Self { r: Self::ONE / 2, g: Self::ONE / 2, b: Self::ONE / 2 })
-    }
-
-    /// These shades minus others. No channel of `other` may be larger than the same channel of these.
-    pub(crate) const fn without(self, other: Self) -> Self {
-        Self {
-            r: self.r.wrapping_sub(other.r),
-            g: self.g.wrapping_sub(other.g),
-            b: self.b.wrapping_sub(other.b),
-        }
     }
 
     /// The sum of these shades and others, each channel limited to that of `most`.
@@ -217,7 +216,7 @@ pub trait Paint: Copy {
     /// The color of the pixel in column x, row y, for a color of the renderer.
     #[must_use]
     fn paint(color: Rgb, x: u32, y: u32) -> Self {
-        Self::shade(color.shades(&most_shades::<Self>()).rounded(), x, y)
+        Self::shade(color.shades(most_shades::<Self>()).rounded(), x, y)
     }
 }
 
@@ -268,16 +267,16 @@ impl<C: Paint> Paint for Option<C> {
     }
 }
 
-/// [`Paint::SHADES`], after a check at compile time that each channel is from 0 to 255.
-pub(crate) const fn most_shades<C: Paint>() -> Rgb {
+/// Four times [`Paint::SHADES`], after a check at compile time that each channel is from 0 to 255.
+pub(crate) const fn most_shades<C: Paint>() -> &'static Shades {
     const {
         let Rgb { r, g, b } = C::SHADES;
         assert!(
             0.0 <= r && r <= 255.0 && 0.0 <= g && g <= 255.0 && 0.0 <= b && b <= 255.0,
             "`Paint::SHADES` must be from 0 to 255"
         );
+        &Shades::of(C::SHADES).times_four()
     }
-    C::SHADES
 }
 
 /// The nearest shade of a channel that carries the rounding bias: the whole part of the channel.

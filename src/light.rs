@@ -1,5 +1,7 @@
 //! One directional light.
 
+use crate::arithmetic::Share;
+use crate::math::minmax::greater;
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, array, unit, vector};
 
@@ -20,8 +22,20 @@ use crate::vector::{F32x3, array, unit, vector};
 pub struct Light {
     /// The unit vector towards the light.
     pub(crate) towards: F32x3,
-    pub(crate) ambient: f32,
+    ambient: f32,
+    /// The ambient share.
+    pub(crate) everywhere: Share,
+    /// The share of the light itself: what the ambient one leaves of 1.
+    pub(crate) direct: f32,
 }
+
+/// The share that a light has at least, beside the ambient one: without a share its direction would be lost.
+const LEAST_DIRECT: f32 = 1.0 / 1_048_576.0;
+
+/// By this factor a light's share is less than what the ambient one leaves, so that the sum of both is at most 1
+/// where the light falls along the normal. In floats the cosine is off by 2⁻²⁰ for its inverse root, and by ten
+/// roundings of 2⁻²⁴ at most.
+const SHORTENED: f32 = 1.0 - 1.0 / 524_288.0;
 
 impl Light {
     /// A light and its ambient share, from 0 to 1. The vector `towards` points from the solids to the light;
@@ -35,7 +49,11 @@ impl Light {
             return Err(SceneError::Ambient { ambient });
         }
         match unit(vector(towards)) {
-            Some(unit) => Ok(Self { towards: unit, ambient }),
+            Some(unit) => {
+                let direct = greater(LEAST_DIRECT, 1.0 - ambient);
+                let everywhere = Share::of_one(1.0 - direct);
+                Ok(Self { towards: unit, ambient, everywhere, direct: direct * SHORTENED })
+            }
             None => Err(SceneError::LightDirection { towards }),
         }
     }

@@ -1,21 +1,19 @@
 //! What color a visible point of a solid has: its color in ambient light and, by Lambert's law, in direct
 //! light, plus Phong's highlight with a coefficient of ½.
 
-use crate::arithmetic::{Seen, Share, ToLight, Views};
+use crate::arithmetic::{Gloss, Seen, Share, ToLight, Views};
 use crate::color::{Paint, Rgb, Shades, most_shades};
 use crate::light::Light;
 use crate::solid::Solid;
 
 /// A solid's material in the scene's light: the quantities of its color that are the same for every pixel.
 pub(crate) struct Finish {
-    /// The exponent of the highlight, or zero if the solid is matt.
-    shininess: u8,
     /// The direction to the light, in the solid's own space.
     pub to_light: ToLight,
-    /// The color where no direct light falls, plus the half shade that [`Paint::shade`] expects.
-    ambient: Shades,
-    /// What direct light adds to the color where it falls along the surface normal.
-    direct: Shades,
+    /// The share of light that falls everywhere.
+    ambient: Share,
+    /// Four times the color.
+    color: Shades,
 }
 
 impl Finish {
@@ -23,30 +21,70 @@ impl Finish {
     /// own.
     #[inline(always)]
     pub fn new<C: Paint>(solid: &Solid, color: &Rgb, light: &Light) -> Self {
-        let color = color.shades(&most_shades::<C>());
-        let ambient = color.dimmed(Share::of_one(light.ambient));
         Self {
-            shininess: solid.shininess(),
-            to_light: ToLight::new(solid.direction_into(light.towards)),
-            ambient: ambient.rounded(),
-            direct: color.without(ambient),
+            to_light: ToLight::new(solid.direction_into(light.towards), light.direct),
+            ambient: light.everywhere,
+            color: color.shades(most_shades::<C>()).times_four(),
         }
     }
 
-    /// The color of a visible point. `column` is that of the ray that sees it; only the highlight depends on
-    /// it. `to_light` is [`Finish::to_light`], or the mirror image of that where a pixel is the mirror image
-    /// of another.
-    // Not `inline(always)`: in a build for size, flash should contain the function only once. In a build for
-    // speed the compiler inlines it, or the counts in docs/instructions.csv would be higher.
-    #[inline]
-    pub fn shades<C: Paint>(&self, column: u32, seen: &Seen, to_light: &ToLight, views: &Views) -> Shades {
+    /// The color of a visible point without a highlight. `to_light` is [`Finish::to_light`], or the mirror image
+    /// of that where a pixel is the mirror image of another.
+    #[inline(always)]
+    pub fn matt(&self, seen: &Seen, to_light: &ToLight) -> Shades {
+        self.diffuse(seen.cosine(to_light).share(to_light))
+    }
+
+    /// The color where the light has that share.
+    #[inline(always)]
+    fn diffuse(&self, light: Share) -> Shades {
+        self.color.quarter(self.ambient.with(light)).rounded()
+    }
+
+    /// The color of a visible point with its highlight. `column` is that of the ray that sees it; only the
+    /// highlight depends on it. `to_light` is as in [`Finish::matt`].
+    #[inline(always)]
+    pub fn shades<C: Paint>(
+        &self,
+        column: u32,
+        seen: &Seen,
+        to_light: &ToLight,
+        views: &Views,
+        gloss: &Gloss,
+    ) -> Shades {
         let cosine = seen.cosine(to_light);
-        let diffuse = self.ambient.with(self.direct.dimmed(cosine.share()));
-        if self.shininess == 0 {
-            return diffuse;
+        let diffuse = self.diffuse(cosine.share(to_light));
+        let share = views.highlight(column, seen, cosine, to_light, gloss);
+        diffuse.with_up_to(
+            most_shades::<C>().quarter(share),
+            const { most_shades::<C>().quarter(Share::of_one(1.0)).rounded() },
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lathe::Lathe;
+    use crate::profile::Profile;
+    use crate::vector::vector;
+
+    /// White in light that falls along the normal, from many directions, with gradients of many lengths.
+    #[test]
+    fn no_channel_exceeds_its_shades() {
+        let ball = Lathe::turn(Profile::sphere(1.0).unwrap());
+        let solid = Solid::new(&ball, Rgb::WHITE);
+        let mut most = 0;
+        for number in 0..4096 {
+            let angle = number as f32 * 0.7;
+            let towards = [libm::cosf(angle), libm::sinf(angle), libm::sinf(angle * 0.3)];
+            let light = Light::new(towards, [0.0, 0.15, 0.99, 1.0][number % 4]).unwrap();
+            let finish = Finish::new::<Rgb>(&solid, &Rgb::WHITE, &light);
+            let seen = Seen::new(vector(towards) * (1.0 + number as f32 / 512.0));
+            let [red, _, _] = finish.matt(&seen, &finish.to_light).units();
+            most = most.max(red);
         }
-        let white = const { Shades::of(most_shades::<C>()) };
-        let share = views.highlight(column, seen.pairs(), cosine, to_light, self.shininess);
-        diffuse.with_up_to(white.dimmed(share), const { Shades::of(most_shades::<C>()).rounded() })
+        let all = 128 * Shades::ONE;
+        assert!(most <= all && most > all - all / 500_000, "{most} of {all}");
     }
 }

@@ -1,5 +1,6 @@
 //! A lathe, or several that bound one body, with a place in the world and a color.
 
+use crate::arithmetic::Gloss;
 use crate::color::Rgb;
 use crate::hit::Hit;
 use crate::lathe::Lathe;
@@ -34,7 +35,7 @@ pub struct Solid<'a> {
     radius: f32,
     pose: Pose,
     color: Rgb,
-    shininess: u8,
+    gloss: Gloss,
 }
 
 impl<'a> Solid<'a> {
@@ -48,7 +49,7 @@ impl<'a> Solid<'a> {
             radius: lathe.radius(),
             pose: Pose::IDENTITY,
             color,
-            shininess: 0,
+            gloss: Gloss::new(0),
         }
     }
 
@@ -142,7 +143,7 @@ impl<'a> Solid<'a> {
     /// at 100. Zero is matt.
     #[must_use]
     pub const fn shiny(self, exponent: u8) -> Self {
-        Self { shininess: exponent, ..self }
+        Self { gloss: Gloss::new(exponent), ..self }
     }
 
     /// Its shape; of a body, the first sheet's.
@@ -183,7 +184,12 @@ impl<'a> Solid<'a> {
     /// The exponent of its highlight, or zero if it is matt.
     #[must_use]
     pub const fn shininess(&self) -> u8 {
-        self.shininess
+        self.gloss.exponent
+    }
+
+    /// Its highlight.
+    pub(crate) const fn gloss(&self) -> &Gloss {
+        &self.gloss
     }
 
     /// The nearest crossing of a ray of the world beyond `t_min`, as [`Lathe::nearest`]. Of a body, segments
@@ -367,7 +373,7 @@ fn insert<const C: usize>(hits: &mut Vec<Hit, C>, mut hit: Hit) {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Solid<'_> {
     fn format(&self, f: defmt::Formatter) {
-        let Self { pose, color, shininess, .. } = self;
-        defmt::write!(f, "Solid {{ pose: {}, color: {}, shininess: {} }}", pose, color, shininess);
+        let Self { pose, color, .. } = self;
+        defmt::write!(f, "Solid {{ pose: {}, color: {}, shininess: {} }}", pose, color, self.shininess());
     }
 }

@@ -1,6 +1,7 @@
 //! Pixels in f32, for machines with an FPU.
 
 use super::Share;
+use crate::math::minmax::greater;
 use crate::math::rsqrt;
 use crate::vector::{F32x3, Vector, vector};
 
@@ -44,16 +45,26 @@ pub(crate) struct Seen {
 }
 
 /// What [`Seen::pairs`] returns.
-pub(crate) type Pairs = [(f32, f32); 2];
+pub(crate) type Pair = (f32, f32);
 
-/// The direction to the light in a solid's own space. Its length is [`Share::UNITS`], so that its dot product
-/// with a unit normal is the cosine in the units of a [`Share`].
+/// The direction to the light in a solid's own space. Its length is the light's share in the units of a
+/// [`Share`], so that its dot product with a unit normal is what Lambert's law leaves of that share.
 #[derive(Clone, Copy)]
 pub(crate) struct ToLight(F32x3);
 
-/// The cosine of an angle, in the units of a [`Share`].
+/// The cosine of the angle between a normal and the direction to the light, times the light's share in the
+/// units of a [`Share`].
 #[derive(Clone, Copy)]
 pub(crate) struct Cosine(f32);
+
+/// How shiny a surface is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Gloss {
+    /// The exponent of the highlight, or zero if there is none.
+    pub exponent: u8,
+    /// The square of the least cosine that counts. From a smaller one the highlight would be less than 2⁻²⁰.
+    least: f32,
+}
 
 /// The directions of a row's rays in a solid's own space: `first` that of column 0, `change` the difference
 /// from one column to the next.
@@ -64,16 +75,28 @@ pub(crate) struct Views {
 }
 
 impl ToLight {
-    /// The direction of a unit vector.
+    /// The direction of a unit vector to a light whose share is `direct`.
     #[inline(always)]
-    pub fn new(unit: F32x3) -> Self {
-        Self(unit * Share::UNITS)
+    pub fn new(unit: F32x3, direct: f32) -> Self {
+        Self(unit * (direct * Share::UNITS))
     }
 
     /// Its mirror image in the plane with the normal n.
     #[inline(always)]
     pub fn mirrored(self, n: F32x3) -> Self {
         Self(self.0 - n * (2.0 * n.dot(self.0) / n.dot(n)))
+    }
+}
+
+impl Gloss {
+    /// For an exponent of the highlight.
+    pub const fn new(exponent: u8) -> Self {
+        // For x < 1, ln x ≤ 2·(x − 1)/(x + 1). So half of xˢ is less than 2⁻²⁰ if x is less than
+        // (s − h)/(s + h), where h = 19·ln 2/2.
+        const HALF: f32 = 6.6;
+        let s = exponent as f32;
+        let least = greater(0.0, (s - HALF) / (s + HALF));
+        Self { exponent, least: least * least }
     }
 }
 
@@ -97,14 +120,14 @@ impl Seen {
     /// it would take by reference: then the loop would store each sample on the stack, whether it makes the
     /// call or not.
     #[inline(always)]
-    pub fn pairs(&self) -> Pairs {
+    pub fn pairs(&self) -> [Pair; 2] {
         let Self { gradient: F32x3 { x, y, z }, per_length } = *self;
         [(x, y), (z, per_length)]
     }
 
     /// The sample of these [`pairs`](Seen::pairs).
     #[inline(always)]
-    pub fn of_pairs([(x, y), (z, per_length)]: Pairs) -> Self {
+    pub fn of_pairs([(x, y), (z, per_length)]: [Pair; 2]) -> Self {
         Self { gradient: vector([x, y, z]), per_length }
     }
 
@@ -115,7 +138,7 @@ impl Seen {
         Self { gradient: vector([0.0, 0.0, up]), per_length: 1.0 }
     }
 
-    /// The cosine of the angle between the normal and the direction to the light.
+    /// The cosine of the angle between the normal and the direction to the light, times the light's share.
     #[inline(always)]
     pub fn cosine(&self, ToLight(to_light): &ToLight) -> Cosine {
         Cosine(self.per_length * self.gradient.dot(*to_light))
@@ -123,9 +146,9 @@ impl Seen {
 }
 
 impl Cosine {
-    /// The cosine as a share; zero where the surface faces away from the light.
+    /// The light on the surface, as a share; zero where it faces away from the light.
     #[inline(always)]
-    pub fn share(self) -> Share {
+    pub fn share(self, _: &ToLight) -> Share {
         // `Share::new` makes a negative number zero.
         Share::new(self.0)
     }
@@ -136,29 +159,30 @@ impl Views {
     /// mirrored at the normal, and the direction towards the eye, of a column's ray. Given are what is seen,
     /// as [`Seen::pairs`], and [`Seen::cosine`]. It is zero where the surface faces away from the light, or
     /// the mirrored light away from the eye.
-    #[cold]
+    #[inline(always)]
     pub fn highlight(
         &self,
         column: u32,
-        seen: Pairs,
+        seen: &Seen,
         Cosine(cosine): Cosine,
         ToLight(to_light): &ToLight,
-        shininess: u8,
+        gloss: &Gloss,
     ) -> Share {
-        let Seen { gradient, per_length } = Seen::of_pairs(seen);
+        let Seen { gradient, per_length } = *seen;
         if !(cosine > 0.0) {
             return Share::NONE;
         }
         let view = self.first + self.change * column as f32;
         // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
-        // It has the right sign before v is made a unit vector.
+        // It has the right sign before the two are made unit vectors.
         let twice = 2.0 * cosine * per_length;
         let rv = to_light.dot(view) - twice * gradient.dot(view);
-        if !(rv > 0.0) {
+        let square = view.dot(view) * to_light.dot(*to_light);
+        if !(rv * rv.abs() > gloss.least * square) {
             return Share::NONE;
         }
-        let rv = rv * (rsqrt(view.dot(view)) * (1.0 / Share::UNITS));
-        Share::of_one(0.5 * power(rv, shininess))
+        let rv = rv * rsqrt(square);
+        Share::of_one(0.5 * power(rv, gloss.exponent))
     }
 }
 
@@ -173,4 +197,19 @@ fn power(mut x: f32, mut exponent: u8) -> f32 {
         exponent >>= 1;
     }
     product
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Gloss, power};
+    use crate::math::{Libm, Math};
+
+    #[test]
+    fn a_highlight_that_does_not_count_is_small() {
+        for exponent in 1..=u8::MAX {
+            let most = 0.5 * power(Libm::sqrt(Gloss::new(exponent).least), exponent);
+            assert!(most < 1.0 / 1_048_576.0, "{exponent}: {most}");
+            assert!(exponent < 30 || most > 0.5 / 1_048_576.0, "{exponent}: {most}");
+        }
+    }
 }

@@ -9,7 +9,7 @@ mod seen;
 
 pub(crate) use fixed::{exponent, fixed, fixed_vector, high, power_of_two, wide_square};
 pub(crate) use inverse_root::{inverse_root, square};
-pub(crate) use seen::{Cosine, Direction, Pairs, Seen, ToLight, Views};
+pub(crate) use seen::{Cosine, Direction, Gloss, Pair, Seen, ToLight, Views};
 
 /// How the numbers of a sweep are held: how many bits stand behind the point.
 #[derive(Clone, Copy)]

@@ -1,7 +1,7 @@
 //! The colors of one sheet of a solid on a part of a row of pixels.
 
 use super::solid_row::SolidRays;
-use crate::arithmetic::{Seen, ToLight};
+use crate::arithmetic::{Pair, Seen, ToLight};
 use crate::color::Paint;
 use crate::lathe::Sweep;
 use crate::shade::Finish;
@@ -10,10 +10,12 @@ use crate::shade::Finish;
 pub(super) struct Brush<'a> {
     pub rays: &'a SolidRays<'a>,
     finish: Finish,
-    /// The mirror image of the direction to the light, if the left half of the row sees the mirror image of
-    /// what the right half sees. Then a pixel of the left half gets the color that the pixel opposite, in the
-    /// right half, would have in the mirrored light. `None` if each half is swept by itself.
-    pub mirrored: Option<ToLight>,
+    /// Whether the left half of the row sees the mirror image of what the right half sees. Then a pixel of the
+    /// left half gets the color that the pixel opposite, in the right half, would have in the mirrored light. If
+    /// not, each half is swept by itself.
+    pub is_mirrored: bool,
+    /// The mirror image of the direction to the light, if `is_mirrored`.
+    pub mirrored: ToLight,
     /// The column of the part's first pixel.
     pub x: u32,
 }
@@ -24,8 +26,8 @@ impl<'a> Brush<'a> {
     #[inline(always)]
     pub fn new(finish: Finish, rays: &'a SolidRays<'a>, sweep: &Sweep, x: u32) -> Self {
         let to_light = finish.to_light;
-        let mirrored = sweep.mirror().map(|n| to_light.mirrored(n));
-        Self { rays, finish, mirrored, x }
+        let mirrored = sweep.mirror().map_or(to_light, |n| to_light.mirrored(n));
+        Self { rays, finish, is_mirrored: sweep.mirror().is_some(), mirrored, x }
     }
 
     /// The direction to the light, in the solid's own space, not mirrored: [`Finish::to_light`].
@@ -40,33 +42,41 @@ impl<'a> Brush<'a> {
         self.x + at as u32
     }
 
-    /// The color of the pixel `at`, which sees `seen`.
+    /// Whether no pixel has a highlight.
     #[inline(always)]
-    pub fn color<C: Paint>(&self, at: usize, seen: &Seen) -> C {
-        self.shade(at, at, seen, &self.finish.to_light)
+    pub fn is_matt(&self) -> bool {
+        self.rays.solid.gloss().exponent == 0
     }
 
-    /// The color of the pixel `image`, which sees the mirror image of `seen`, what the pixel `at` sees.
-    /// `mirrored` is the brush's [`mirrored`](Brush::mirrored) direction; a brush without one has no mirror
-    /// images, and the result is of no use.
-    #[inline(always)]
-    pub fn image_color<C: Paint>(&self, image: usize, at: usize, seen: &Seen, mirrored: &ToLight) -> C {
-        self.shade(image, at, seen, mirrored)
-    }
-
-    /// Paints neighbouring pixels that all see the same `seen`; the first is in the given column.
-    #[inline(never)]
-    pub fn level<C: Paint>(&self, pixels: &mut [C], column: u32, seen: &Seen) {
-        let at = (column - self.x) as usize;
-        for (pixel, at) in pixels.iter_mut().zip(at..) {
-            *pixel = self.color(at, seen);
-        }
+    /// The color, without a highlight, of the pixel `to`, which sees `seen` in light from the direction `to_light`.
+    // Without a hint: in a build for size flash contains the function only once, and in a build for speed the
+    // compiler inlines it.
+    pub fn matt<C: Paint>(&self, to: usize, seen: &Seen, to_light: &ToLight) -> C {
+        C::shade(self.finish.matt(seen, to_light), self.column(to), self.rays.row.y)
     }
 
     /// The color of the pixel `to`: that of what the pixel `at` sees in light from the direction `to_light`.
-    #[inline(always)]
-    fn shade<C: Paint>(&self, to: usize, at: usize, seen: &Seen, to_light: &ToLight) -> C {
-        let shades = self.finish.shades::<C>(self.column(at), seen, to_light, &self.rays.views);
+    // Without a hint: see `matt`.
+    pub fn color<C: Paint>(&self, to: usize, at: usize, seen: &Seen, to_light: &ToLight) -> C {
+        if self.is_matt() {
+            self.matt(to, seen, to_light)
+        } else {
+            let [p, q] = seen.pairs();
+            self.shiny(to, at, p, q, to_light)
+        }
+    }
+
+    /// Does what [`Brush::color`] does, where there may be a highlight. What the pixel `at` sees are the four
+    /// numbers of a [`Seen`], as [`Seen::pairs`] returns them.
+    #[inline(never)]
+    pub fn shiny<C: Paint>(&self, to: usize, at: usize, p: Pair, q: Pair, to_light: &ToLight) -> C {
+        let shades = self.finish.shades::<C>(
+            self.column(at),
+            &Seen::of_pairs([p, q]),
+            to_light,
+            &self.rays.views,
+            self.rays.solid.gloss(),
+        );
         C::shade(shades, self.column(to), self.rays.row.y)
     }
 }

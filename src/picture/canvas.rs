@@ -2,13 +2,13 @@
 
 use super::brush::Brush;
 use super::depth::Depths;
-use crate::arithmetic::Seen;
+use crate::arithmetic::{Pair, Seen};
 use crate::camera::Row;
 use crate::color::Paint;
 use crate::lathe::{Span, Sweep};
 use crate::math::cold_path;
+use core::mem;
 use core::ops::Range;
-use core::slice;
 
 /// A part of a row of pixels, on which solids are painted one after another.
 pub(super) struct Part<'a, 'b, C> {
@@ -59,28 +59,77 @@ impl<C: Paint> Canvas<'_, '_, C> {
     /// while single rays are cast.
     #[inline(never)]
     fn tracked(&mut self, sweep: &mut Sweep, i: u32, to: u32) -> u32 {
-        let Self { brush, run, depths } = self;
-        let mut at = (sweep.column(i) - brush.x) as usize;
+        let mut at = (sweep.column(i) - self.brush.x) as usize;
         let onward = if sweep.is_reversed() { usize::MAX } else { 1 };
+        // The loop paints pixels that have no highlight, and of which no distances are compared: then it has
+        // `run`. Where it has no pixels, it calls `other`.
+        let is_plain = self.brush.is_matt();
+        let run = if is_plain { mem::take(&mut self.run) } else { &mut [] };
         // This minus the index of a pixel in `run` is the index of its mirror image. Without mirror images the
         // difference lies outside of `run`.
-        let both = if brush.mirrored.is_some() { run.len().wrapping_sub(1) } else { usize::MAX };
-        let mirrored = brush.mirrored.as_ref().unwrap_or(brush.to_light());
-        sweep.track(i, to, |seen, s| {
+        let both = if self.brush.is_mirrored { run.len().wrapping_sub(1) } else { usize::MAX };
+        let other = match (&self.depths, self.brush.is_mirrored) {
+            (Some(_), _) => Self::compared,
+            (None, true) => Self::shiny_both,
+            (None, false) => Self::shiny,
+        };
+        let next = sweep.track(i, to, |seen, s| {
             if let Some(pixel) = run.get_mut(at) {
-                *pixel = brush.color(at, seen);
+                let brush = &self.brush;
+                *pixel = brush.matt(at, seen, brush.to_light());
                 let image = both.wrapping_sub(at);
                 if let Some(pixel) = run.get_mut(image) {
-                    *pixel = brush.image_color(image, at, seen, mirrored);
+                    *pixel = brush.matt(image, seen, &brush.mirrored);
                 }
-            } else if let Some(depths) = depths {
-                // The pixels are those of `depths`, and `run` is empty: so where no distances are compared, the
-                // loop does not ask for them.
+            } else {
                 cold_path();
-                depths.both(brush, at, seen.pairs(), s.float());
+                let [p, q] = seen.pairs();
+                other(self, at, p, q, s.float());
             }
             at = at.wrapping_add(onward);
-        })
+        });
+        if is_plain {
+            self.run = run;
+        }
+        next
+    }
+
+    /// Paints the pixel `at` with its highlight. What it sees are the four numbers of a [`Seen`], as
+    /// [`Seen::pairs`] returns them. The last argument is that of [`Canvas::compared`], and is not used.
+    #[inline(never)]
+    fn shiny(&mut self, at: usize, p: Pair, q: Pair, _: f32) {
+        let Self { brush, run, .. } = self;
+        if let Some(pixel) = run.get_mut(at) {
+            *pixel = brush.shiny(at, at, p, q, brush.to_light());
+        }
+    }
+
+    /// Does what [`Canvas::shiny`] does, for the pixel `at` and for its mirror image.
+    #[inline(never)]
+    fn shiny_both(&mut self, at: usize, p: Pair, q: Pair, s: f32) {
+        self.shiny(at, p, q, s);
+        let Self { brush, run, .. } = self;
+        let image = run.len().wrapping_sub(at + 1);
+        if let Some(pixel) = run.get_mut(image) {
+            *pixel = brush.shiny(image, at, p, q, &brush.mirrored);
+        }
+    }
+
+    /// Paints the pixel `at`, and its mirror image if there is one, each unless what was painted before hides
+    /// the solid there. The pixel's ray meets the surface at s. What it sees is as in [`Canvas::shiny`].
+    #[inline(never)]
+    fn compared(&mut self, at: usize, p: Pair, q: Pair, s: f32) {
+        let Self { brush, depths: Some(depths), .. } = self else { return };
+        let (seen, distance) = (&Seen::of_pairs([p, q]), depths.scale.distance(s));
+        if let Some(pixel) = depths.shown(brush, at, distance) {
+            *pixel = brush.color(at, at, seen, brush.to_light());
+        }
+        if brush.is_mirrored {
+            let image = depths.run.len().wrapping_sub(at + 1);
+            if let Some(pixel) = depths.shown(brush, image, distance) {
+                *pixel = brush.color(image, at, seen, &brush.mirrored);
+            }
+        }
     }
 
     /// Paints the pixels from the i-th on, to before `to`, as long as they see a cap or a ring, and their
@@ -92,29 +141,34 @@ impl<C: Paint> Canvas<'_, '_, C> {
             && let Some(s) = sweep.passes(i)
         {
             if self.depths.is_some() {
-                let distance = sweep.scale().distance(s);
-                if self.brush.mirrored.is_some() {
-                    self.put(sweep.mirrored_column(i), seen, distance);
-                }
-                self.put(sweep.column(i), seen, distance);
+                let [p, q] = seen.pairs();
+                self.compared((sweep.column(i) - self.brush.x) as usize, p, q, s);
             }
             i += 1;
         }
         if !sweep.is_reversed() {
             self.level(sweep.right_columns(start..i), seen);
         }
-        if sweep.is_reversed() || self.brush.mirrored.is_some() {
+        if sweep.is_reversed() || self.brush.is_mirrored {
             self.level(sweep.left_columns(start..i), seen);
         }
         i
     }
 
     /// Paints the pixels of some columns, which all see the same, if every pixel that sees the solid shows it.
+    #[inline(never)]
     fn level(&mut self, columns: Range<u32>, seen: &Seen) {
         let Self { brush, run, .. } = self;
         let at = (columns.start - brush.x) as usize..(columns.end - brush.x) as usize;
-        if let Some(pixels) = run.get_mut(at) {
-            brush.level(pixels, columns.start, seen);
+        let Some(pixels) = run.get_mut(at.clone()) else { return };
+        let is_matt = brush.is_matt();
+        for (pixel, at) in pixels.iter_mut().zip(at) {
+            *pixel = if is_matt {
+                brush.matt(at, seen, brush.to_light())
+            } else {
+                let [p, q] = seen.pairs();
+                brush.shiny(at, at, p, q, brush.to_light())
+            };
         }
     }
 
@@ -122,7 +176,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
     #[inline(always)]
     fn single(&mut self, sweep: &mut Sweep, i: u32) -> u32 {
         let own = sweep.column(i);
-        let mut column = if self.brush.mirrored.is_some() { sweep.mirrored_column(i) } else { own };
+        let mut column = if self.brush.is_mirrored { sweep.mirrored_column(i) } else { own };
         // The pixel's own ray is cast last, because the sweep goes on from the hit that is reported last.
         loop {
             if let Some((seen, t)) = self.brush.rays.cast(sweep, i, column) {
@@ -147,7 +201,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
             Some(depths) => depths.shown(brush, at, distance),
         };
         if let Some(pixel) = pixel {
-            brush.level(slice::from_mut(pixel), column, seen);
+            *pixel = brush.color(at, at, seen, brush.to_light());
         }
     }
 }

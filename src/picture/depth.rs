@@ -6,7 +6,6 @@
 
 use super::brush::Brush;
 use super::solid_row::SolidRays;
-use crate::arithmetic::{Pairs, Seen};
 use crate::color::Paint;
 use crate::lathe::{Scale, Sweep};
 use crate::math::cold_path;
@@ -24,7 +23,7 @@ pub(super) struct Depths<'a, C> {
     /// A bound of the error of any distance that a sweep has found, of this sheet and those before it.
     error: f32,
     /// What converts the s of this sheet's sweep to distances.
-    scale: Scale,
+    pub scale: Scale,
 }
 
 /// The solids of the scene, and the order in which those of the block are painted.
@@ -47,23 +46,6 @@ impl<'a, C: Paint> Depths<'a, C> {
     pub fn begin(&mut self, sweep: &Sweep) {
         self.error = greater(self.error, sweep.depth_error());
         self.scale = sweep.scale();
-    }
-
-    /// Paints the pixel `at`, and its mirror image if there is one, each unless what was painted before hides
-    /// the solid there. The sweep has found a root of the pixel's ray at s. `seen` is what the pixel sees
-    /// there: the four numbers of a [`Seen`], as [`Seen::pairs`] returns them.
-    #[inline(never)]
-    pub fn both(&mut self, brush: &Brush, at: usize, seen: Pairs, s: f32) {
-        let (seen, distance) = (&Seen::of_pairs(seen), self.scale.distance(s));
-        if let Some(pixel) = self.shown(brush, at, distance) {
-            *pixel = brush.color(at, seen);
-        }
-        if let Some(mirrored) = &brush.mirrored {
-            let image = self.run.len().wrapping_sub(at + 1);
-            if let Some(pixel) = self.shown(brush, image, distance) {
-                *pixel = brush.image_color(image, at, seen, mirrored);
-            }
-        }
     }
 
     /// Returns the pixel `at` if it shows the sheet that is being painted, of which its ray sees a point at

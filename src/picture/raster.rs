@@ -71,24 +71,30 @@ impl Raster<'_> {
     #[cold]
     #[inline(never)]
     fn block<C: Paint, const N: usize>(&self, part: &mut Part<C>) {
-        for (run, x) in part.run.chunks_mut(N).zip((part.x..).step_by(N)) {
-            self.by_depth(part.row, x, run, &mut [f32::INFINITY; N]);
-        }
+        self.by_depth(part, &mut [f32::INFINITY; N]);
     }
 
-    /// Paints the solids of the block on `run`, pixels of a row from column x on. `nearest` is memory for as
-    /// many distances, all of them infinite.
+    /// Paints the solids of the block on `part`, in pieces of as many pixels as `nearest` has room for distances:
+    /// all of them infinite, before and after.
     #[inline(never)]
-    fn by_depth<C: Paint>(&self, row: &Row, x: u32, run: &mut [C], nearest: &mut [f32]) {
+    fn by_depth<C: Paint>(&self, part: &mut Part<C>, nearest: &mut [f32]) {
         let Self { scene: Scene { solids, .. }, order, .. } = *self;
-        let mut depths = Depths::new(run, nearest, Block { solids, order });
-        self.paint(order.block..order.beyond, &mut Part { row, x, run: &mut [], depths: Some(&mut depths) });
+        let mut x = part.x;
+        // Chunks of no pixels would be a panic.
+        for run in part.run.chunks_mut(nearest.len().max(1)) {
+            let len = run.len() as u32;
+            let mut depths = Depths::new(run, nearest, Block { solids, order });
+            let mut piece = Part { row: part.row, x, run: &mut [], depths: Some(&mut depths) };
+            self.paint(order.block..order.beyond, &mut piece);
+            nearest.fill(f32::INFINITY);
+            x += len;
+        }
     }
 
     /// Fills `part`, which begins in column x of row y, with the background.
     #[inline(never)]
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
-        let shades = self.scene.background.row(y, self.height).shades(&most_shades::<C>()).rounded();
+        let shades = self.scene.background.row(y, self.height).shades(most_shades::<C>()).rounded();
         for (pixel, x) in part.iter_mut().zip(x..) {
             *pixel = C::background(shades, x, y);
         }

@@ -1,6 +1,6 @@
 //! What a ray sees of the surface, and in what light.
 
-use super::{exponent, fixed_vector, high, inverse_root, square};
+use super::{exponent, fixed, fixed_vector, high, inverse_root, square};
 use crate::arithmetic::Share;
 use crate::vector::{F32x3, Vector, largest, vector};
 
@@ -20,15 +20,26 @@ pub(crate) struct Direction {
 }
 
 /// What [`Seen::pairs`] returns.
-pub(crate) type Pairs = [(i32, i32); 2];
+pub(crate) type Pair = (i32, i32);
 
-/// The direction to the light in a solid's own space: a unit vector, in units of 2⁻³¹.
+/// The direction to the light in a solid's own space, and the light's share.
 #[derive(Clone, Copy)]
-pub(crate) struct ToLight([i32; 3]);
+pub(crate) struct ToLight {
+    /// A unit vector, in units of 2⁻³¹.
+    unit: [i32; 3],
+    /// In units of 2⁻³¹.
+    direct: i32,
+}
 
 /// The cosine of an angle, in units of 2⁻²⁸.
 #[derive(Clone, Copy)]
 pub(crate) struct Cosine(i32);
+
+/// How shiny a surface is: the exponent of the highlight, or zero if there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Gloss {
+    pub exponent: u8,
+}
 
 /// The directions of a row's rays in a solid's own space: `first` that of column 0, `change` the difference
 /// from one column to the next.
@@ -42,16 +53,23 @@ pub(crate) struct Views {
 }
 
 impl ToLight {
-    /// The direction of a unit vector.
+    /// The direction of a unit vector to a light whose share is `direct`.
     #[inline(always)]
-    pub fn new(unit: F32x3) -> Self {
-        Self(fixed_vector(unit, 31))
+    pub fn new(unit: F32x3, direct: f32) -> Self {
+        Self { unit: fixed_vector(unit, 31), direct: fixed(direct, 31) }
     }
 
     /// Its mirror image in the plane with the normal n.
     pub fn mirrored(self, n: F32x3) -> Self {
-        let to_light = vector(self.0.map(|x| x as f32 * (1.0 / (1_u32 << 31) as f32)));
-        Self::new(to_light - n * (2.0 * n.dot(to_light) / n.dot(n)))
+        let to_light = vector(self.unit.map(|x| x as f32 * (1.0 / (1_u32 << 31) as f32)));
+        Self { unit: fixed_vector(to_light - n * (2.0 * n.dot(to_light) / n.dot(n)), 31), ..self }
+    }
+}
+
+impl Gloss {
+    /// For an exponent of the highlight.
+    pub const fn new(exponent: u8) -> Self {
+        Self { exponent }
     }
 }
 
@@ -114,14 +132,14 @@ impl Seen {
     /// it would take by reference: then the loop would store each sample on the stack, whether it makes the
     /// call or not.
     #[inline(always)]
-    pub fn pairs(&self) -> Pairs {
+    pub fn pairs(&self) -> [Pair; 2] {
         let Direction { along: [x, y, z], per_length } = self.direction;
         [(x, y), (z, per_length)]
     }
 
     /// The sample of these [`pairs`](Seen::pairs).
     #[inline(always)]
-    pub fn of_pairs([(x, y), (z, per_length)]: Pairs) -> Self {
+    pub fn of_pairs([(x, y), (z, per_length)]: [Pair; 2]) -> Self {
         Self { direction: Direction { along: [x, y, z], per_length } }
     }
 
@@ -134,16 +152,22 @@ impl Seen {
 
     /// The cosine of the angle between the normal and the direction to the light.
     #[inline(always)]
-    pub fn cosine(&self, ToLight(to_light): &ToLight) -> Cosine {
-        Cosine(self.direction.dot(*to_light))
+    pub fn cosine(&self, to_light: &ToLight) -> Cosine {
+        Cosine(self.direction.dot(to_light.unit))
     }
 }
 
 impl Cosine {
-    /// The cosine as a share; zero where the surface faces away from the light.
+    /// The light on the surface, as a share; zero where it faces away from the light.
     #[inline(always)]
-    pub fn share(self) -> Share {
-        Share::of_units((self.0.clamp(0, (1 << 28) - 1) as u32) << 4)
+    pub fn share(self, to_light: &ToLight) -> Share {
+        Share::of_units(high(self.positive(), to_light.direct))
+    }
+
+    /// The cosine in units of 2⁻³¹, zero if it is negative.
+    #[inline(always)]
+    fn positive(self) -> i32 {
+        self.0.clamp(0, (1 << 28) - 1) << 3
     }
 }
 
@@ -157,27 +181,27 @@ impl Views {
     pub fn highlight(
         &self,
         column: u32,
-        seen: Pairs,
+        seen: &Seen,
         Cosine(cosine): Cosine,
-        ToLight(to_light): &ToLight,
-        shininess: u8,
+        to_light: &ToLight,
+        gloss: &Gloss,
     ) -> Share {
         if cosine <= 0 {
             return Share::NONE;
         }
-        let (normal, view) = (Seen::of_pairs(seen).direction, self.of(column));
+        let (normal, view) = (seen.direction, self.of(column));
         // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye. All
         // have 28 bits, but n·v, which has 27, since those of a direction are 30, not 31.
         let nv = high(normal.dot(view.along) << 3, view.per_length);
-        let rv = view.dot(*to_light) - (high(cosine << 2, nv << 3) << 1);
-        let (mut x, mut product, mut exponent) = (Cosine(rv).share(), Share::of_units(u32::MAX), shininess);
+        let rv = view.dot(to_light.unit) - (high(cosine << 2, nv << 3) << 1);
+        let (mut x, mut product, mut exponent) = (Cosine(rv).positive(), i32::MAX, gloss.exponent);
         while exponent > 0 {
             if exponent & 1 == 1 {
-                product = Share::of_units(x.of(product.units()));
+                product = high(product, x) << 1;
             }
-            x = Share::of_units(x.of(x.units()));
+            x = high(x, x) << 1;
             exponent >>= 1;
         }
-        Share::of_units(product.units() >> 1)
+        Share::of_units(product >> 2)
     }
 }

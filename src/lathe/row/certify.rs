@@ -8,7 +8,9 @@
 //! `g ≤ −(A − J)·p + K·p²`,
 //!
 //! which is negative if `K ≤ 0 < A − J`. So one comparison a pixel certifies the root, as far back along the
-//! ray as all segments have K ≤ 0. Where the ray leaves the solid at the root, g is concave in each of these
+//! ray as all segments have K ≤ 0 and J times the span is less than a quarter of the tolerance. For such a J any
+//! A suffices that exceeds [`SegmentBounds::slack`](super::bounds::SegmentBounds::slack), which is more than 16·J:
+//! it is 2·|D|·√tolerance at least, and span·|D| ≥ 1 and √tolerance < 1/2. Where the ray leaves the solid at the root, g is concave in each of these
 //! segments, and the slope jumps between them take less than a quarter of the tolerance from g. So g is
 //! positive in all of them if it is positive where the ray comes into the first.
 //!
@@ -58,8 +60,6 @@ struct Concave<'a> {
     /// The segment of them that the ray meets first, and its index.
     first: &'a Segment,
     index: usize,
-    /// The sum of the slope jumps between the segments.
-    slope_jumps: f32,
     /// Whether the ray meets no other segment before `first`.
     is_all: bool,
 }
@@ -73,7 +73,7 @@ impl Sweep<'_> {
         let is_concave = segment.convexity <= bounds.max_convexity;
         let [_, _, _, f3] = segment.f;
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
-        let mut passed = Concave { first: segment, index: root.index, slope_jumps: 0.0, is_all: false };
+        let mut passed = Concave { first: segment, index: root.index, is_all: false };
         let (rises, turns) = self.rises_until(i);
         // Then B, see the top of this file, is concave.
         if (f3 > 0.0) != (rises == enters) {
@@ -91,7 +91,7 @@ impl Sweep<'_> {
         match before {
             Before::Clear { until } => {
                 let own = bounds.in_segment(segment);
-                let slope = (passed.slope_jumps + bump * segment.per_height) * bounds.steep + own.slack;
+                let slope = bump * segment.per_height * bounds.steep + own.slack;
                 let certain = greater(slope, self.clear_slope(i, rises, own.tolerance));
                 Certification::Nearest(Certificate { certain, slope, bump, own, until: until.min(turns) })
             }
@@ -140,14 +140,14 @@ impl Sweep<'_> {
             let is_all = if is_rising { first.low <= bounds.low } else { first.high >= bounds.high };
             let before = if is_rising { index.wrapping_sub(1) } else { index + 1 };
             let Some(next) = bounds.lathe.segments.get(before).filter(|_| !is_all) else {
-                return Concave { first, index, slope_jumps, is_all };
+                return Concave { first, index, is_all };
             };
             let with_next = slope_jumps + if is_rising { next.slope_jump } else { first.slope_jump };
             // At a step the slope jump is infinite.
             if !(next.convexity <= bounds.max_convexity
                 && with_next * bounds.steep * bounds.span < 0.25 * bounds.tolerance)
             {
-                return Concave { first, index, slope_jumps, is_all };
+                return Concave { first, index, is_all };
             }
             (slope_jumps, first, index) = (with_next, next, before);
         }

@@ -505,6 +505,11 @@ fn a_message_of_a_scene_reads_well() {
         message(limits),
         "the half-width of this kind of camera must be from 1e-6 to 30.0, and is 31.0"
     );
+    let lost = Pose::new([0.0; 3], Rotation::about_x(20_000.0), 1.0).unwrap_err();
+    assert_eq!(
+        message(lost),
+        "the rotation must be by angles from -10000 to 10000, which make its matrix finite; row 1 is [0.0, NaN, NaN]"
+    );
     let nowhere = Camera::perspective([1.0; 3], [1.0; 3], [0.0, 0.0, 1.0], 0.3).unwrap_err();
     assert_eq!(
         message(nowhere),

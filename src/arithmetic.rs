@@ -3,9 +3,10 @@
 //!
 //! An f32 addition takes an FPU one instruction, and a machine without one some 80; an integer product takes
 //! one on both. So what is computed for every pixel, from the point where its ray meets the wall to its share
-//! of light, exists twice: [`floats`] and [`integers`], and the loop that tracks a root in both. What is
-//! computed once for a row, and single rays, are floats everywhere. On a machine with an FPU the integers
-//! would take more instructions, because each product is followed by a shift and each range by a comparison.
+//! of light, exists twice: [`floats`] and [`integers`], and so do the loop that tracks a root and the bounds of
+//! a probe. What is computed once for a row, and single rays, are floats everywhere. On a machine with an FPU
+//! the integers would take more instructions, because each product is followed by a shift and each range by a
+//! comparison.
 //!
 //! The tests compare both with single rays. Each gives the same bits on every machine; the two differ by one
 //! *shade* of a color channel in fewer than one pixel of 10 000. A build can choose by `--cfg
@@ -35,7 +36,7 @@ pub(crate) use floats::*;
         )
     )
 ))]
-pub(crate) use integers::{Gloss, Length, Numbers, Pair, Seen, ToLight, Views};
+pub(crate) use integers::{Gloss, Length, Numbers, Pair, Rays, Seen, ToLight, Views};
 
 #[cfg(test)]
 mod tests {

@@ -10,10 +10,16 @@ use crate::vector::{F32x3, Vector, vector};
 pub(crate) struct Numbers;
 
 impl Numbers {
-    /// How the numbers of a row are held, given its `span` and a bound of D².
+    /// How the numbers of a row are held, given its `span`, a bound of D², and a bound of |M|.
     #[inline(always)]
-    pub fn new(_span: f32, _longest: f32) -> Self {
+    pub fn new(_span: f32, _longest: f32, _far: f32) -> Self {
         Self
+    }
+
+    /// The rays of a part of a row are as they are given.
+    #[inline(always)]
+    pub fn rays(self, _ray: (F32x3, F32x3), _change: (F32x3, F32x3), _pixels: u32) -> Rays {
+        Rays
     }
 
     /// How far rounding can move a point, given how far it does in floats.
@@ -21,6 +27,16 @@ impl Numbers {
     pub fn slip(self, slip: f32) -> f32 {
         slip
     }
+}
+
+/// The rays of a row in this arithmetic are those that the row is set up with.
+#[derive(Clone, Copy)]
+pub(crate) struct Rays;
+
+impl Rays {
+    /// Counts the rays backwards.
+    #[inline(always)]
+    pub fn reverse(&mut self) {}
 }
 
 /// The s of a tracked root.

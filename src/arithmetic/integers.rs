@@ -3,12 +3,16 @@
 //!
 //! Products are the high words of 32-bit factors, which is one instruction where the core has it.
 
+mod divisor;
 mod fixed;
 mod inverse_root;
+mod rays;
 mod seen;
 
-pub(crate) use fixed::{exponent, fixed, fixed_vector, high, power_of_two, wide_square};
-pub(crate) use inverse_root::{inverse_root, square};
+pub(crate) use divisor::{Divisor, narrowed, square_root};
+pub(crate) use fixed::{dot, exponent, fixed, fixed_vector, high, power_of_two, shifted, wide, wide_square};
+pub(crate) use inverse_root::{inverse_root, root_of_quarter, square};
+pub(crate) use rays::Rays;
 pub(crate) use seen::{Cosine, Direction, Gloss, Pair, Seen, ToLight, Views};
 
 /// How the numbers of a sweep are held: how many bits stand behind the point.
@@ -21,6 +25,9 @@ pub(crate) struct Numbers {
     /// Of coordinates: `s + d − 32`, so that the high word of s·D is a coordinate. Those of M, where its ray
     /// meets the solid, and those of the solid are less than 2³⁰ units, and there are at most 26 bits.
     pub p: i32,
+    /// Of the coordinates of all rays of the row, as far along them as a probe looks, whether a ray meets the
+    /// solid or not: those of M and of s·D are less than 2²⁹ units there. It is three less than p or lower.
+    pub w: i32,
 }
 
 /// The s of a tracked root, in units of `unit`.
@@ -40,24 +47,30 @@ impl Length {
 }
 
 impl Numbers {
-    /// How the numbers of a row are held, given its `span` and a bound of D².
-    pub fn new(span: f32, longest: f32) -> Self {
+    /// How the numbers of a row are held, given its `span`, a bound of D², and a bound of |M|.
+    pub fn new(span: f32, longest: f32, far: f32) -> Self {
         // |s| ≤ span < 2^s; and if D² < 2^E, then |D| < 2^(E/2) ≤ 2^d.
         let d = (exponent(longest) + 1) >> 1;
         let s = exponent(span).max(3 - d);
         // No point of the solid is farther from the origin than span·|D|. So |M| ≤ 2·span·|D| where the ray
-        // meets the solid: less than 2^(1 + s + d), which is 2³⁰ units.
-        Self { s: 30 - s, d: 31 - d, p: 29 - s - d }
+        // meets the solid: less than 2^(1 + s + d), which is 2³⁰ units. A probe looks as far as 5·span.
+        let p = 29 - s - d;
+        Self { s: 30 - s, d: 31 - d, p, w: (p - 3).min(29 - exponent(far)) }
     }
 
     /// How far rounding can move a point, given how far it does in floats, which is added: M and D are
     /// floats before they are integers.
     ///
-    /// A coordinate of M is rounded by half a unit; so is its change from pixel to pixel, which is added up
-    /// to 64 times ([`MOST_PIXELS`](crate::lathe::MOST_PIXELS)). One of D is rounded as often; multiplied by
-    /// s, less than 2³⁰ units, that is a quarter as much. Two products are rounded down. Together: 32.5·(1 +
-    /// ¼) + 2 units.
+    /// A coordinate of M is rounded by half a unit of 2^−w, and so is its change times the pixel's number; the
+    /// sum is rounded down: 2 units. A component of D is off by half a unit of 2^−d and 4 more, and is rounded
+    /// down: 5.5 units.
+    ///
+    /// - In a probe, |s| is less than a sixth of 2³²: M, a sixth of D and the product, which is rounded down,
+    ///   are 4 units of 2^−w together.
+    /// - In the loop, a change is rounded by half a unit of 2^−p, and of 2^−d, and added up to 64 times
+    ///   ([`MOST_PIXELS`](crate::lathe::MOST_PIXELS)); |s| is less than a quarter of 2³², and two products are
+    ///   rounded down. Beside M's 2 units of 2^−w that is 32 + (5.5 + 32)/4 + 2 units of 2^−p.
     pub fn slip(self, slip: f32) -> f32 {
-        slip + 43.0 * power_of_two(-self.p)
+        slip + 44.0 * power_of_two(-self.p) + 4.0 * power_of_two(-self.w)
     }
 }

@@ -39,6 +39,12 @@ pub(crate) const fn wide_square(x: i32) -> u64 {
     (((x1 * x1) as u64) << 32 | (x0 * x0) as u64) + (((x1 * x0) as u64) << 17)
 }
 
+/// The sum of the products of two pairs.
+#[inline(never)]
+pub(crate) const fn dot([ax, ay]: [i32; 2], [bx, by]: [i32; 2]) -> i64 {
+    ax as i64 * bx as i64 + ay as i64 * by as i64
+}
+
 /// The number x in units of 2^−`bits`, rounded to the nearest. Beyond the range of `i32` it is ±`i32::MAX`;
 /// so are infinity and NaN.
 #[inline(never)]
@@ -58,6 +64,22 @@ pub(crate) const fn fixed(x: f32, bits: i32) -> i32 {
         0
     };
     if x.is_sign_negative() { -magnitude } else { magnitude }
+}
+
+/// The number x in units of 2^−`bits`, its magnitude rounded down. Beyond 2⁶¹ units it is ±2⁶¹ at least.
+// As in `fixed`, the mantissa of zero and of a subnormal x is below half a unit.
+#[inline(never)]
+pub(crate) fn wide(x: f32, bits: i32) -> i64 {
+    let raw = x.to_bits();
+    let mantissa = i64::from(raw & 0x7f_ffff | 0x80_0000);
+    let magnitude = shifted(mantissa, ((raw >> 23 & 0xff) as i32 - 150 + bits).min(38));
+    if x.is_sign_negative() { -magnitude } else { magnitude }
+}
+
+/// A number times 2^left, rounded down. The result must be in range.
+#[inline(never)]
+pub(crate) const fn shifted(x: i64, left: i32) -> i64 {
+    if left >= 0 { x << (left & 63) } else { x >> (if left > -63 { -left } else { 63 }) }
 }
 
 /// The components of a vector in units of 2^−`bits`, each as by [`fixed`].

@@ -1,6 +1,6 @@
 //! What a ray sees of the surface, and in what light.
 
-use super::{exponent, fixed, fixed_vector, high, inverse_root, square};
+use super::{exponent, fixed, fixed_vector, high, root_of_quarter, square};
 use crate::arithmetic::Share;
 use crate::vector::{F32x3, Vector, largest, vector};
 
@@ -104,9 +104,7 @@ impl Direction {
         // Zero is no direction; it is given a length.
         let square = square.clamp(1 << 58, (1 << 60) - 1);
         let square = (square >> 30) as i32;
-        // The chord of 1/√x from x = 1/4 to 1, 7/3 − 4/3·x, is nowhere a fifth above the root.
-        let chord = (7.0 / 3.0 * (1 << 29) as f32) as i32 - square + high(square, (u32::MAX / 3) as i32);
-        Self { along, per_length: inverse_root(square, chord) }
+        Self { along, per_length: root_of_quarter(square) }
     }
 
     /// The scalar product with another vector, over the length of this one: 28 bits, if the other's has 31.

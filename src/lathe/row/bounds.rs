@@ -166,7 +166,7 @@ impl<'a> RowBounds<'a> {
         // D² is convex in the pixel's number, and so largest at an end of the row. The factor is for
         // rounding, of D as well.
         let longest = (2.0 * square - least + half * half * dot(d1, d1)) * (1.0 + 1.0 / 1024.0);
-        let numbers = Numbers::new(span, longest);
+        let numbers = Numbers::new(span, longest, one_norm(m) + half * one_norm(m1));
         let slip = numbers.slip(LENGTH_TOLERANCE * distance);
         let tolerance = TOLERANCE + 2.0 * slip;
         // If any of the rays meets the ball, the middle one meets a ball that is larger by the distance

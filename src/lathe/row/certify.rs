@@ -28,10 +28,10 @@
 //! segment's height. So B is positive if `|A| > |F‴/6|·h²·|dz|`.
 //! Where |A| is less, [`Sweep::is_nearest_at`] decides, pixel by pixel.
 
-use super::skip::UpperBound;
+use super::skip::Above;
 use super::sweep::{Certificate, Start, Sweep};
 use crate::lathe::segment::Segment;
-use crate::math::minmax::{greater, lesser};
+use crate::math::minmax::greater;
 
 /// What is known of the tracked root.
 pub(super) enum Certification {
@@ -162,26 +162,22 @@ impl Sweep<'_> {
         let (path, sign) = (self.path(i), root.sign);
         let frame = bounds.lathe.frame;
         let end = if path.rises() { &frame.base } else { &frame.top };
-        let (near, far) = self.interval(&path);
+        let interval = self.interval(&path);
         // A ray that leaves the solid at the root it sees begins inside, or has come in through an open end:
         // at a cap it would have entered.
-        if sign < 0.0 && near > bounds.start && !(end.beyond > 0.0) {
+        if sign < 0.0 && interval.0 > bounds.numbers.start(self, &path) && !(end.beyond > 0.0) {
             return Before::Undecided;
         }
-        let far = lesser(far, path.slab(passed.first.low, passed.first.high).0);
-        let far = greater(bounds.start, far);
         // The proofs for the root's own segment need the sign of g where the ray comes into it, unless the
         // slope suffices. So g is bounded at that point in any case, even if that point lies before `near`.
         let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
-        let before = (if by_slope { near } else { lesser(near, far) }, far);
+        let (before, far) = bounds.numbers.before(self, &path, interval, passed.first, !by_slope);
         let plane = passed.index + usize::from(!path.rises());
-        let UpperBound { g, tolerance, start } = match self.below_zero(i, &path, sign, before, plane) {
+        let start = match self.below_zero(i, &path, sign, before, plane) {
             Ok(until) => return Before::Clear { until },
-            Err(bound) => bound,
+            Err(Above { is_near: true, .. }) => return Before::Undecided,
+            Err(Above { start, .. }) => start,
         };
-        if g < 2.0 * tolerance {
-            return Before::Undecided;
-        }
         // `start.sign` says which way `sign·g` crosses zero; times `sign` it says which way g does. If no
         // start is known, g has the wrong sign already where the ray comes into the root's segment, just past
         // a rim. Then another root may lie shortly behind that point, in the same segment, where g crosses

@@ -46,7 +46,8 @@ impl Sweep<'_> {
                 let path = self.path(i);
                 let (near, _) = self.interval(&path);
                 let sign = if rises == (above > below) { 1.0 } else { -1.0 };
-                let before = self.below_zero(i, &path, sign, (near, path.plane(z)), usize::MAX);
+                let before =
+                    self.below_zero(i, &path, sign, (near, self.bounds.numbers.plane(&path, z)), usize::MAX);
                 to = to.min(before.unwrap_or(i));
             }
             if to > i {

@@ -46,7 +46,12 @@ impl Lathe {
         let (origin, direction) = rays.at(bounds.middle as f32 - 0.5 - center);
         let RayRow { origin_change, direction_change, .. } = rays;
         let rays = RayRow { origin, origin_change, direction, direction_change };
-        let direction = Direction { rays, is_reversed: false, len: part.end - bounds.middle };
+        let numbers = bounds.numbers.rays(
+            (origin, direction),
+            (origin_change, direction_change),
+            part.end - part.start,
+        );
+        let direction = Direction { rays, numbers, is_reversed: false, len: part.end - bounds.middle };
         let root = TrackedRoot::none(lathe.segments.first().unwrap_or(&Segment::EMPTY));
         Sweep { bounds, direction, root, flat: Flat::default() }
     }

@@ -9,7 +9,7 @@
 
 use super::bounds::{RowBounds, SegmentBounds};
 use super::ray_row::RayRow;
-use crate::lathe::ray::LocalRay;
+use crate::arithmetic::Rays;
 use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
 use core::ops::Range;
@@ -68,6 +68,8 @@ pub(super) struct Direction {
     /// first pixel, or, if pixels are counted to the left, through the right edge of the left half's first,
     /// which is the same edge. So the ray of pixel i is ray i + ½.
     pub rays: RayRow,
+    /// The same rays in the row's arithmetic.
+    pub numbers: Rays,
     /// Whether pixels are counted to the left.
     pub is_reversed: bool,
     /// The number of pixels this way.
@@ -268,16 +270,10 @@ impl Sweep<'_> {
             return false;
         }
         direction.rays.reverse();
+        direction.numbers.reverse();
         (direction.is_reversed, direction.len) = (true, bounds.left);
         (root.is_tracked, root.end, root.probed, root.plane) = (false, None, u32::MAX, usize::MAX);
         true
-    }
-
-    /// The i-th ray, with s for its t. Not inline: it is rarely called.
-    #[inline(never)]
-    pub(super) fn path(&self, i: u32) -> LocalRay {
-        let (m, d) = self.ray(i);
-        LocalRay::through(m, d)
     }
 
     /// M and D of the i-th ray.

@@ -6,7 +6,7 @@
 #[allow(dead_code)]
 mod floats;
 #[allow(dead_code)]
-mod integers;
+pub(super) mod integers;
 
 use super::sweep::Sweep;
 use crate::arithmetic::{Length, Seen};
@@ -33,6 +33,7 @@ impl Sweep<'_> {
     /// [`Sweep::next`], which returns the span that begins with that pixel.
     #[inline(always)]
     pub fn track(&mut self, i: u32, to: u32, see: impl FnMut(&Seen, Length)) -> u32 {
-        self.bounds.numbers.track(self, i, to, see)
+        let rays = self.direction.numbers;
+        self.bounds.numbers.track(self, &rays, i, to, see)
     }
 }

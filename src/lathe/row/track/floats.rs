@@ -1,6 +1,6 @@
 //! The innermost loop in floats.
 
-use crate::arithmetic::floats::{Length, Numbers, Seen};
+use crate::arithmetic::floats::{Length, Numbers, Rays, Seen};
 use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::lathe::segment::Segment;
 use crate::math::cold_path;
@@ -13,6 +13,7 @@ impl Numbers {
     pub(in crate::lathe::row) fn track(
         self,
         sweep: &mut Sweep,
+        _rays: &Rays,
         mut i: u32,
         to: u32,
         mut see: impl FnMut(&Seen, Length),

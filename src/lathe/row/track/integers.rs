@@ -25,13 +25,13 @@
 
 mod gradient;
 mod shift;
-mod wall;
+pub(in crate::lathe::row) mod wall;
 
-use crate::arithmetic::integers::{Length, Numbers, Seen, exponent, fixed, fixed_vector, high, power_of_two};
+use crate::arithmetic::integers::{Length, Numbers, Rays, Seen, exponent, fixed, high, power_of_two};
 use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::math::cold_path;
 use crate::math::minmax::greater;
-use crate::vector::{F32x3, dot_xy, vector};
+use crate::vector::{dot_xy, vector};
 use gradient::Gradient;
 use wall::Wall;
 
@@ -61,6 +61,7 @@ impl Numbers {
     pub(in crate::lathe::row) fn track(
         self,
         sweep: &mut Sweep,
+        rays: &Rays,
         mut i: u32,
         to: u32,
         mut see: impl FnMut(&Seen, Length),
@@ -68,31 +69,35 @@ impl Numbers {
         let Sweep { bounds, root, .. } = &*sweep;
         let (segment, certificate) = (root.segment, &root.certificate);
         let numbers = self;
-        let wall = Wall::new(segment, numbers);
+        let wall = Wall::new(segment, numbers.p);
         let &Wall { block, height, middle, half, .. } = &wall;
 
         // A root where the ray leaves the solid is tracked as one where the reversed ray enters the solid's
         // image in the axis: x and y of points change their signs, and z of directions.
         let is_inside = root.sign.is_sign_negative();
-        let point = |p: F32x3| {
-            let [x, y, z] = fixed_vector(p, numbers.p);
-            if is_inside { [-x, -y, z] } else { [x, y, z] }
+        let image = |[x, y, z]: [i32; 3], [dx, dy, dz]: [i32; 3]| {
+            if is_inside { ([-x, -y, z], [dx, dy, -dz]) } else { ([x, y, z], [dx, dy, dz]) }
         };
-        let toward = |d: F32x3| {
-            let [x, y, z] = fixed_vector(d, numbers.d);
-            if is_inside { [x, y, -z] } else { [x, y, z] }
+        // Points have more bits than in `rays`, changes fewer. Where a change wraps around, the next ray does not,
+        // if it is in range.
+        let up = numbers.p - numbers.w;
+        let change = |x: i32, up: i32| {
+            let half = (1 << rays.finer) >> 1;
+            (((i64::from(x) << up) + half) >> rays.finer) as i32
         };
-        let (m, d) = sweep.ray(i);
-        let rays = &sweep.direction.rays;
-        let ([mut mx, mut my, mut mz], [mut dx, mut dy, mut dz]) = (point(m), toward(d));
-        let ([mx1, my1, mz1], [dx1, dy1, dz1]) = (point(rays.origin_change), toward(rays.direction_change));
+        let (m, d) = rays.at(i);
+        let (m1, d1) =
+            (rays.origin_change.map(|x| change(x, up)), rays.direction_change.map(|x| change(x, 3)));
         let exceeds = |[x, y, z]: [i32; 3], most: u32| {
             x.unsigned_abs() > most || y.unsigned_abs() > most || z.unsigned_abs() > most
         };
-        // From an M in range, a change of less than 2²⁹ units does not make the next one wrap around.
-        let to = if exceeds([mx1, my1, mz1], 1 << 29) { to.min(i + 1) } else { to };
-        let is_tracked = !exceeds([mx, my, mz], 1 << 30) && block <= MOST_BLOCK;
+        // After a change of less than 2²⁹ units from an M in range the next does not wrap around.
+        let is_far = exceeds(rays.origin_change.map(|x| x >> rays.finer), 1 << (29 - up));
+        let to = if is_far { to.min(i + 1) } else { to };
+        let is_tracked = !exceeds(m, 1 << (30 - up)) && block <= MOST_BLOCK;
         let to = if is_tracked { to } else { i };
+        let ([mut mx, mut my, mut mz], [mut dx, mut dy, mut dz]) = image(m.map(|x| x << up), d);
+        let ([mx1, my1, mz1], [dx1, dy1, dz1]) = image(m1, d1);
         mz = mz.wrapping_sub(middle);
 
         // x and y to 29 − block bits: where they are used their magnitude is less than 3·2^block, and the sum

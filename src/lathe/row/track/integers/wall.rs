@@ -1,6 +1,6 @@
 //! A segment's cubic in integers.
 
-use crate::arithmetic::integers::{Numbers, exponent, fixed, high};
+use crate::arithmetic::integers::{exponent, fixed, high};
 use crate::lathe::segment::Segment;
 
 /// A segment's cubic about the middle of its height, `a0 + a1·v + a2·v² + a3·v³`.
@@ -8,7 +8,7 @@ use crate::lathe::segment::Segment;
 /// The parameter v is (z − middle)/2^height, in units of 2⁻³¹; in the segment it is between −1/2 and 1/2, and
 /// the cubic may be computed for all v between −1 and 1. So roots are found up to half a segment's height, at
 /// least, beyond its ends.
-pub(super) struct Wall {
+pub(in crate::lathe::row) struct Wall {
     /// The coefficients, in units of 2^(2·block − 26).
     pub a: [i32; 4],
     /// How many bits fewer than 13 a radius has behind the point; it is the least for which
@@ -22,8 +22,8 @@ pub(super) struct Wall {
 }
 
 impl Wall {
-    /// The cubic of a segment.
-    pub fn new(segment: &Segment, numbers: Numbers) -> Self {
+    /// The cubic of a segment, if coordinates have that many `bits`.
+    pub fn new(segment: &Segment, bits: i32) -> Self {
         // 1/h is less than 2^e; so h is more than 2^−e, and at most twice that: it is that if the mantissa of
         // 1/h is 1.
         let is_power = segment.per_height.to_bits() << 9 == 0;
@@ -32,12 +32,12 @@ impl Wall {
         let most = segment.f.iter().fold(0.0, |most: f32, c| if c.abs() > most { c.abs() } else { most });
         // |c| < 2²⁴ units; about the middle the largest coefficient is at most eight times that, and the sum
         // less than 2³⁰.
-        let bits = 24 - exponent(most);
-        let sum = sum(about_middle(segment.f, per_height, bits));
-        let excess = 32 - sum.leading_zeros() as i32 - bits + 26 - 30;
+        let fine = 24 - exponent(most);
+        let sum = sum(about_middle(segment.f, per_height, fine));
+        let excess = 32 - sum.leading_zeros() as i32 - fine + 26 - 30;
         let block = (excess.max(0) + 1) >> 1;
         let a = about_middle(segment.f, per_height, 26 - 2 * block);
-        let (low, high) = (fixed(segment.low, numbers.p), fixed(segment.high, numbers.p));
+        let (low, high) = (fixed(segment.low, bits), fixed(segment.high, bits));
         Self { a, block, height, middle: (low + high) >> 1, half: (high - low) >> 1 }
     }
 

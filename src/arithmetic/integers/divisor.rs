@@ -1,0 +1,105 @@
+//! Quotients and roots of wide integers.
+
+use super::root_of_quarter;
+
+/// A number to divide by: its inverse.
+#[derive(Clone, Copy)]
+pub(crate) struct Divisor {
+    /// 2⁶³ over the magnitude of the divisor after that is shifted `left`, so that its highest bit is bit 63,
+    /// and its lower half is cut off. It is from 2³¹ to 2³².
+    inverse: u32,
+    left: i32,
+    is_negative: bool,
+}
+
+/// The largest quotient: larger ones, and those by zero, are this.
+pub(crate) const MOST_QUOTIENT: i32 = 1 << 30;
+
+impl Divisor {
+    /// Cost: a division of 32-bit integers and two products. The inverse is within 2⁻²⁸ of itself: the quotient
+    /// that the search begins with is within 2⁻¹⁴·⁴, and a step of Newton's method squares that.
+    #[inline(never)]
+    pub fn new(divisor: i64) -> Self {
+        let magnitude = divisor.unsigned_abs().max(1);
+        let left = magnitude.leading_zeros();
+        let high = ((magnitude << left) >> 32) as u32;
+        let guess = (u32::MAX / (high >> 16)) << 15;
+        let rest = (1 << 31) - ((u64::from(high) * u64::from(guess)) >> 32) as i64;
+        let inverse = (i64::from(guess) + ((i64::from(guess) * rest) >> 31)).min(u32::MAX.into());
+        Self { inverse: inverse as u32, left: left as i32, is_negative: divisor < 0 }
+    }
+
+    /// A number over the divisor, in units of 2^−`bits`, within 2⁻²⁷ of itself and a unit.
+    #[inline(never)]
+    pub fn of(&self, number: i64, bits: i32) -> i32 {
+        let magnitude = number.unsigned_abs();
+        if magnitude == 0 {
+            return 0;
+        }
+        let left = magnitude.leading_zeros();
+        let high = ((magnitude << left) >> 33) as u32;
+        let quotient = ((u64::from(high) * u64::from(self.inverse)) >> 32) as i32;
+        let right = 30 + left as i32 - self.left - bits;
+        let quotient = if right < 0 { MOST_QUOTIENT } else { (quotient >> right.min(31)).min(MOST_QUOTIENT) };
+        if (number < 0) != self.is_negative { -quotient } else { quotient }
+    }
+}
+
+/// The root of a number below 2⁶⁰, within 2⁻²³ of itself and a unit; zero for a negative number.
+#[inline(never)]
+pub(crate) fn square_root(square: i64) -> i32 {
+    if square <= 0 {
+        return 0;
+    }
+    // An even number, at least 2: afterwards the highest bit is bit 60 or 61.
+    let left = (square.leading_zeros() - 2) & !1;
+    let quarter = ((square << left) >> 32) as i32;
+    let root = ((i64::from(quarter) * i64::from(root_of_quarter(quarter))) >> 29) as i32;
+    root >> (left / 2 - 1)
+}
+
+/// Four numbers in fewer bits: none exceeds 2²⁸ then. The second value is how many bits each was shifted to
+/// the right, rounded down.
+#[inline(never)]
+pub(crate) fn narrowed(numbers: [i64; 4]) -> ([i32; 4], u32) {
+    let most = numbers.iter().fold(0, |most, number| most | number.unsigned_abs());
+    let right = 36_u32.saturating_sub(most.leading_zeros());
+    (numbers.map(|number| (number >> right) as i32), right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Divisor, MOST_QUOTIENT, square_root};
+
+    #[test]
+    fn quotients_and_roots_are_as_close_as_they_say() {
+        let mut bits = 0x1995_u64;
+        let mut next = || {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (bits as i64) >> ((bits >> 3) % 63)
+        };
+        let (mut worst, mut worst_root) = (0.0_f64, 0.0_f64);
+        for _ in 0..200_000 {
+            let (a, b) = (next(), next());
+            if b == 0 {
+                continue;
+            }
+            let bits = 40
+                - ((a.unsigned_abs().leading_zeros() as i32) - b.unsigned_abs().leading_zeros() as i32).abs();
+            let exact = a as f64 / b as f64 * f64::exp2(f64::from(bits));
+            let found = f64::from(Divisor::new(b).of(a, bits));
+            if exact.abs() >= f64::from(MOST_QUOTIENT) {
+                assert!(
+                    found.abs() > 0.999_999 * f64::from(MOST_QUOTIENT) && found.signum() == exact.signum()
+                );
+            } else {
+                worst = worst.max((found - exact).abs() / (exact.abs() * f64::exp2(-27.0) + 1.0));
+            }
+            let square = a.abs() >> 4;
+            let exact = (square as f64).sqrt();
+            worst_root = worst_root
+                .max((f64::from(square_root(square)) - exact).abs() / (exact * f64::exp2(-23.0) + 1.0));
+        }
+        assert!((0.25..=1.0).contains(&worst) && (0.25..=1.0).contains(&worst_root), "{worst} {worst_root}");
+    }
+}

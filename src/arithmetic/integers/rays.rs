@@ -1,0 +1,58 @@
+//! The rays of a row in integers.
+
+use super::{Numbers, fixed_vector};
+use crate::vector::F32x3;
+
+/// The rays of a row of pixels: the i-th has the origin `origin + i·origin_change` and the direction
+/// `direction + i·direction_change`.
+#[derive(Clone, Copy)]
+pub(crate) struct Rays {
+    /// In units of 2^−w, with [`Numbers::w`].
+    pub origin: [i32; 3],
+    /// In units of 2^(−w − finer).
+    pub origin_change: [i32; 3],
+    /// In units of 2^−d.
+    pub direction: [i32; 3],
+    /// In units of 2^(3 − d − finer).
+    pub direction_change: [i32; 3],
+    /// 2^finer is more than the number of pixels, and at most twice that. From pixel to pixel the origin
+    /// changes by at most twice the bound of M over the number of pixels, the direction by at most twice the
+    /// bound of |D| over it: so no change exceeds 2³¹ units.
+    pub finer: i32,
+}
+
+impl Numbers {
+    /// The rays of a part of a row with that many pixels. `ray` are M and D of ray 0, `change` what both
+    /// change by from pixel to pixel.
+    // Not `inline(always)`: in a build for size, flash should contain it only once.
+    pub fn rays(self, ray: (F32x3, F32x3), change: (F32x3, F32x3), pixels: u32) -> Rays {
+        let finer = (u32::BITS - pixels.leading_zeros()) as i32;
+        Rays {
+            origin: fixed_vector(ray.0, self.w),
+            origin_change: fixed_vector(change.0, self.w + finer),
+            direction: fixed_vector(ray.1, self.d),
+            direction_change: fixed_vector(change.1, self.d + finer - 3),
+            finer,
+        }
+    }
+}
+
+impl Rays {
+    /// Counts the rays backwards: ray i is what ray −i was.
+    pub fn reverse(&mut self) {
+        self.origin_change = self.origin_change.map(|x| -x);
+        self.direction_change = self.direction_change.map(|x| -x);
+    }
+
+    /// Origin and direction of the ray in the middle of the i-th pixel: i + ½.
+    #[inline(never)]
+    pub fn at(&self, i: u32) -> ([i32; 3], [i32; 3]) {
+        let twice = i64::from(2 * i + 1);
+        let sum = |x: i32, change: i32, left: i32| {
+            x.wrapping_add((((i64::from(change) * twice) << left) >> (self.finer + 1)) as i32)
+        };
+        let ([x, y, z], [x1, y1, z1]) = (self.origin, self.origin_change);
+        let ([dx, dy, dz], [dx1, dy1, dz1]) = (self.direction, self.direction_change);
+        ([sum(x, x1, 0), sum(y, y1, 0), sum(z, z1, 0)], [sum(dx, dx1, 3), sum(dy, dy1, 3), sum(dz, dz1, 3)])
+    }
+}

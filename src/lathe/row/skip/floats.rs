@@ -1,0 +1,201 @@
+//! Upper bounds of g along a ray, in floats.
+
+use super::{Above, FALL, Probing};
+use crate::arithmetic::floats::{Numbers, Rays};
+use crate::cubic::{Cubic, quadratic_max_on};
+use crate::lathe::ray::LocalRay;
+use crate::lathe::row::bounds::SPANS;
+use crate::lathe::row::sweep::{Start, Sweep};
+use crate::lathe::segment::Segment;
+use crate::math::minmax::{greater, lesser};
+use crate::math::{Math, Native};
+use crate::vector::dot_xy;
+
+impl Probing for Numbers {
+    type Path<'a> = LocalRay;
+    type Distance = f32;
+}
+
+impl Numbers {
+    /// The i-th ray, with s for its t.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn path(self, sweep: &Sweep, _rays: &Rays, i: u32) -> LocalRay {
+        let (m, d) = sweep.ray(i);
+        LocalRay::through(m, d)
+    }
+
+    /// Where the rays begin: [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
+    #[inline(always)]
+    pub(in crate::lathe::row) fn start(self, sweep: &Sweep, _path: &LocalRay) -> f32 {
+        sweep.bounds.start
+    }
+
+    /// Whether a ray is so level, and so near to the plane of an end or of a step, that both differ by less
+    /// than the tolerance.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn is_in_edge(self, sweep: &Sweep, path: &LocalRay) -> bool {
+        let bounds = &sweep.bounds;
+        bounds.lathe.is_near_edge(path.z, bounds.tolerance - path.dz.abs())
+    }
+
+    /// [`Sweep::interval`].
+    #[inline(always)]
+    pub(in crate::lathe::row) fn interval(self, sweep: &Sweep, path: &LocalRay) -> (f32, f32) {
+        let bounds = &sweep.bounds;
+        let span = (1.0 + SPANS) * bounds.span;
+        let (near, far) = path.slab(bounds.low, bounds.high);
+        (greater(bounds.start, greater(-span, near)), lesser(span, far))
+    }
+
+    /// Where a ray passes a height.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn plane(self, path: &LocalRay, z: f32) -> f32 {
+        path.plane(z)
+    }
+
+    /// An interval cut off where the ray comes into the slab of a segment. If `holds_end`, it contains that
+    /// point even if it lies before the interval's begin. The second value is the point's s.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn before(
+        self,
+        sweep: &Sweep,
+        path: &LocalRay,
+        (near, far): (f32, f32),
+        segment: &Segment,
+        holds_end: bool,
+    ) -> ((f32, f32), f32) {
+        let far = lesser(far, path.slab(segment.low, segment.high).0);
+        let far = greater(sweep.bounds.start, far);
+        ((if holds_end { lesser(near, far) } else { near }, far), far)
+    }
+
+    /// By how much sign·g is below zero on an interval of a ray: an upper bound of it and of its tolerance
+    /// is less by that much. It is +∞ if the interval ends before it begins. An error if the bound is not below
+    /// zero. The segments are bounded one after another, to the one that has the start. `last` is as in
+    /// [`Sweep::below_zero`].
+    #[inline(always)]
+    pub(in crate::lathe::row) fn upper_bound(
+        self,
+        sweep: &Sweep,
+        path: &LocalRay,
+        sign: f32,
+        (near, far): (f32, f32),
+        last: usize,
+    ) -> Result<f32, Above> {
+        let bounds = &sweep.bounds;
+        let lathe = bounds.lathe;
+        let frame = lathe.frame;
+        let (mut most, mut near_zero, mut start) = (f32::NEG_INFINITY, 0.0, None);
+        if !(near <= far) {
+            return Ok(f32::INFINITY);
+        }
+        let rises = path.rises();
+        let (onward, entry) = if rises { (1, 0) } else { (usize::MAX, frame.len) };
+        if frame.has_rings {
+            let entry = if near > bounds.start { entry } else { usize::MAX };
+            for (t, number, is_behind) in [(near, entry, false), (far, last, true)] {
+                if let Some(plane) = lathe.plane(number) {
+                    let square = if is_behind == rises { plane.above } else { plane.below };
+                    most = greater(sign * (square - path.around(t).0) + bounds.tolerance, most);
+                }
+            }
+        }
+        let mut index = lathe.index_at(path.height(near));
+        let mut from = near;
+        // Whether sign·g is above zero where the next segment begins, as it is at the end of the one before.
+        let mut is_above = false;
+        while let Some(segment) = lathe.segments.get(index) {
+            let (_, to) = path.slab(segment.low, segment.high);
+            let to = lesser(far, to);
+            let at = path.closest(from, to);
+            // The segment's bounding cylinder bounds g as well, and most often suffices.
+            let mut most_here = segment.bounding_square - path.around(at).0 + bounds.tolerance;
+            if sign < 0.0 || is_above || !(most_here < 0.0) {
+                let tolerance = bounds.tolerance_in(segment);
+                let g = Cubic::new(path.g_about(segment, at).c.map(|c| sign * c));
+                most_here = g.max_on(at - from, to - at) + tolerance;
+                if !(most_here < 0.0) {
+                    near_zero = 2.0 * tolerance;
+                    let mut crosses = if g.at(from - at) > 0.0 { -1.0 } else { 1.0 };
+                    let mut s = at + zero(&g, crosses);
+                    // Where there is no root, Newton's steps may end anywhere.
+                    let is_root = s <= to && g.at(s - at).abs() < tolerance;
+                    let mut place = index;
+                    if from > near && (crosses < 0.0) != is_above {
+                        // Between the two segments sign·g jumps over zero.
+                        (crosses, s, place) = (0.0, from, index + usize::from(!rises));
+                    }
+                    is_above = crosses < 0.0 && !is_root;
+                    if !is_above {
+                        start = Some(Start { index: place, s: greater(from, s), sign: crosses });
+                    }
+                }
+            }
+            most = greater(most_here, most);
+            if start.is_some() || !(to < far) {
+                break;
+            }
+            from = to;
+            index = index.wrapping_add(onward);
+        }
+        if most < 0.0 { Ok(-most) } else { Err(Above { is_near: most < near_zero, start }) }
+    }
+
+    /// The number of next pixels for whose rays sign·g is certain to stay below zero, at every height that
+    /// the i-th ray has in an interval of s. `path` is that ray. On it sign·g plus the tolerance is at most
+    /// −`margin`; `margin` is positive. Zero if no next pixel is certain. See [`Sweep::below_zero`].
+    #[inline(always)]
+    pub(in crate::lathe::row) fn certified_run(
+        self,
+        sweep: &Sweep,
+        i: u32,
+        path: &LocalRay,
+        sign: f32,
+        margin: f32,
+        (from, to): (f32, f32),
+    ) -> u32 {
+        let (m, d) = sweep.ray(i);
+        let (m1, d1) = (sweep.direction.rays.origin_change, sweep.direction.rays.direction_change);
+        // The motion v at a height is that of the ray's point at fixed s, and along the ray by so much that z
+        // does not change: `v0 + v1·s`. From here on s is counted from the middle of the interval, where the
+        // ray has its point p and the motion is v.
+        let drift = sweep.bounds.drift;
+        let per_dz = if drift > 0.0 { path.per_dz } else { 0.0 };
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
+        let (p, v) = (m + d * middle, v0 + v1 * middle);
+        // The most of −sign·⟨P, v⟩, half the first term of the change, and of −sign·v², the second.
+        let pace = quadratic_max_on(
+            -sign * dot_xy(p, v),
+            -sign * (dot_xy(p, v1) + dot_xy(d, v)),
+            -sign * dot_xy(d, v1),
+            half,
+        );
+        let square =
+            quadratic_max_on(-sign * dot_xy(v, v), -2.0 * sign * dot_xy(v, v1), -sign * dot_xy(v1, v1), half);
+        // ε, negative if dz grows. v is that of the first pixel.
+        let fall = -d1.z * per_dz;
+        // One over the number of pixels in which the point of a height moves by SPANS spans, or dz falls by
+        // FALL of itself.
+        let level = greater(drift * per_dz.abs(), fall / FALL);
+        // One over the number n with which the change comes to the margin: the larger root of
+        // `margin·r² − 2·pace·r − square`. If there is no such root or the margin is infinite, `rate` is NaN;
+        // then, as where `rate` is not positive, the change never comes to the margin.
+        let rate = (pace + Native::sqrt(pace * pace + square * margin)) / margin;
+        // `greater` returns `level` if the other number is NaN. The conversion to u32 saturates.
+        (1.0 / greater(level, rate + fall)) as u32
+    }
+}
+
+/// About where a cubic rises through zero (sign 1) or falls through it (−1): the root of its first three
+/// terms, improved by two Newton steps. If there is none, the result may be NaN or any number: it is a
+/// guess.
+fn zero(g: &Cubic, sign: f32) -> f32 {
+    let [c0, c1, c2, _] = g.c;
+    let mut s = (sign * Native::sqrt(c1 * c1 - 4.0 * c2 * c0) - c1) / (2.0 * c2);
+    for _ in 0..2 {
+        let (value, slope) = g.with_slope(s);
+        s -= value / slope;
+    }
+    s
+}

@@ -39,6 +39,16 @@ impl Rays {
     pub fn reverse(&mut self) {}
 }
 
+/// A cap or a ring at the height z of the frame, of which r² is from `middle − half` to `middle + half`. It
+/// is seen from above if `up` is 1, and from below if it is −1.
+#[derive(Default)]
+pub(crate) struct Flat {
+    pub z: f32,
+    pub middle: f32,
+    pub half: f32,
+    pub up: f32,
+}
+
 /// The s of a tracked root.
 #[derive(Clone, Copy)]
 pub(crate) struct Length(pub f32);

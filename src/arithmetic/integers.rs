@@ -30,6 +30,24 @@ pub(crate) struct Numbers {
     pub w: i32,
 }
 
+/// A cap or a ring, and what decides whether a ray passes through it.
+#[derive(Default)]
+pub(crate) struct Flat {
+    /// Its height, in units of 2^−w, with [`Numbers::w`].
+    pub z: i32,
+    /// The r² of its rims, in units of 2^(−2·w).
+    pub inner: i64,
+    pub outer: i64,
+    /// The tolerance, in units of 2^(−28 − d).
+    pub tolerance: i64,
+    /// The least |dz|, in units of 2^−d.
+    pub least: i32,
+    /// The s at which the rays begin, in units of 2^(d − w − 32).
+    pub start: i32,
+    /// It is seen from above if this is 1, and from below if it is −1.
+    pub up: f32,
+}
+
 /// The s of a tracked root, in units of `unit`.
 #[derive(Clone, Copy)]
 pub(crate) struct Length {

@@ -142,7 +142,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
         {
             if self.depths.is_some() {
                 let [p, q] = seen.pairs();
-                self.compared((sweep.column(i) - self.brush.x) as usize, p, q, s);
+                self.compared((sweep.column(i) - self.brush.x) as usize, p, q, s.float());
             }
             i += 1;
         }

@@ -120,7 +120,7 @@ impl Sweep<'_> {
     }
 
     /// Whether the i-th ray rises, and the first pixel after it for whose ray that is not certain.
-    fn rises_until(&self, i: u32) -> (bool, u32) {
+    pub(super) fn rises_until(&self, i: u32) -> (bool, u32) {
         if let Some(is_rising) = self.bounds.rising {
             return (is_rising, u32::MAX);
         }

@@ -6,8 +6,14 @@
 //! part: all of the solid lies beyond the plane. On any other plane it is seen if g keeps its sign on the way
 //! there, which a probe certifies.
 
-use super::sweep::{Flat, Span, Sweep};
-use crate::arithmetic::Seen;
+// One of the two is not used.
+#[allow(dead_code)]
+mod floats;
+#[allow(dead_code)]
+mod integers;
+
+use super::sweep::{Span, Sweep};
+use crate::arithmetic::{Length, Seen};
 use crate::lathe::frame::KnotPlane;
 use crate::math::minmax::{greater, lesser};
 
@@ -19,7 +25,7 @@ impl Sweep<'_> {
     #[inline(always)]
     pub(super) fn flat_span(&mut self, i: u32) -> Option<Span> {
         let frame = self.bounds.lathe.frame;
-        let rises = self.ray(i).1.z > 0.0;
+        let (rises, _) = self.rises_until(i);
         let (first, end) = if rises { (0, &frame.base) } else { (frame.len, &frame.top) };
         if end.wall == end.beyond && self.root.plane > frame.len {
             return None;
@@ -37,7 +43,7 @@ impl Sweep<'_> {
             // A cap reaches to the axis: it has no inner rim, and no r² is negative.
             let inner = if inner > 0.0 { inner } else { -outer };
             let up = if rises { -1.0 } else { 1.0 };
-            self.flat = Flat { z, middle: 0.5 * (outer + inner), half: 0.5 * (outer - inner), up };
+            self.flat = self.bounds.numbers.flat(&self.bounds, z, (inner, outer), up);
             if self.passes(i).is_none() {
                 continue;
             }
@@ -61,19 +67,13 @@ impl Sweep<'_> {
     /// The s at which the i-th ray passes through the cap or the ring of the last [`Span::Flat`], clear of
     /// its rims and of the point where the rays begin by more than the tolerance. `None` if it does not, if
     /// it comes from the side that is not seen, or if its distance is not certain enough to be compared.
+    ///
+    /// An error of the height moves the point by 1/|dz| times as much: so the flatter the ray, the farther
+    /// from a rim the point has to be. At |dz| = 1 its r² has to differ from the rim's by the tolerance.
     // Without a hint: in a build for size flash contains the function only once, and in a build for speed the
     // compiler inlines it.
-    pub fn passes(&self, i: u32) -> Option<f32> {
-        let (m, d) = self.ray(i);
-        let flat = &self.flat;
-        let s = (flat.z - m.z) / d.z;
-        let (x, y) = (m.x + s * d.x, m.y + s * d.y);
-        // An error of the height moves the point by 1/|dz| times as much: so the flatter the ray, the farther
-        // from a rim the point has to be. At |dz| = 1 its r² has to differ from the rim's by the tolerance.
-        let toward = -flat.up * d.z;
-        let from_rims = flat.half - (x * x + y * y - flat.middle).abs();
-        let clear = lesser(from_rims, s - self.bounds.start) * toward;
-        (clear > self.bounds.tolerance && 4.0 * toward >= self.bounds.least_slope).then_some(s)
+    pub fn passes(&self, i: u32) -> Option<Length> {
+        self.bounds.numbers.passes(self, &self.direction.numbers, &self.flat, i)
     }
 
     /// What a pixel sees of the cap or the ring of the last [`Span::Flat`].

@@ -2,7 +2,8 @@
 
 use super::bounds::{RowBounds, RowPart};
 use super::ray_row::RayRow;
-use super::sweep::{Direction, Flat, Sweep, TrackedRoot};
+use super::sweep::{Direction, Sweep, TrackedRoot};
+use crate::arithmetic::Flat;
 use crate::lathe::Lathe;
 use crate::lathe::segment::Segment;
 

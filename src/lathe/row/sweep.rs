@@ -9,7 +9,7 @@
 
 use super::bounds::{RowBounds, SegmentBounds};
 use super::ray_row::RayRow;
-use crate::arithmetic::Rays;
+use crate::arithmetic::{Flat, Rays};
 use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
 use core::ops::Range;
@@ -150,16 +150,6 @@ pub(super) struct Start {
     pub s: f32,
     /// 1 if the ray enters the solid at the root, −1 if it leaves it. Zero for a plane.
     pub sign: f32,
-}
-
-/// A cap or a ring at the height z of the frame, of which r² is from `middle − half` to `middle + half`. It
-/// is seen from above if `up` is 1, and from below if it is −1.
-#[derive(Default)]
-pub(super) struct Flat {
-    pub z: f32,
-    pub middle: f32,
-    pub half: f32,
-    pub up: f32,
 }
 
 impl<'a> TrackedRoot<'a> {

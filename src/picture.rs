@@ -9,7 +9,7 @@ mod raster;
 mod solid_row;
 
 pub(crate) use pixels::Pixels;
-pub(crate) use raster::{RUN, Raster};
+pub(crate) use raster::{RUNS, Raster};
 
 use crate::color::Paint;
 use crate::occlusion::PaintOrder;

@@ -1,7 +1,7 @@
 //! A picture without its background: the solids' pixels alone, over what a display shows already.
 
-use super::blank;
 use super::placed::Placed;
+use super::with_run;
 use crate::color::Paint;
 use crate::extent::Extent;
 use embedded_graphics_core::{
@@ -112,12 +112,12 @@ impl<C: Paint + PixelColor> Drawable for Overlay<'_, C> {
     type Color = C;
     type Output = ();
 
-    /// Draws each run of pixels that show a solid in one call, with pixels that are computed 40 at a time at
-    /// most.
+    /// Draws each run of pixels that show a solid in one call, with pixels that are computed as many at a
+    /// time as in [`Scene::draw`](crate::Scene::draw).
     fn draw<D>(&self, target: &mut D) -> Result<(), D::Error>
     where
         D: DrawTarget<Color = C>,
     {
-        self.draw_through(target, &mut blank())
+        with_run(|run| self.draw_through(target, run))
     }
 }

@@ -1,6 +1,6 @@
 //! A picture at a place of the display: what of it is drawn, and where.
 
-use super::blank;
+use super::with_run;
 use crate::color::Paint;
 use crate::extent::Extent;
 use crate::pick::Pick;
@@ -196,13 +196,14 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
     where
         D: DrawTarget<Color = C>,
     {
-        let room = &mut blank();
-        let run = if row.is_empty() { room } else { row };
+        if row.is_empty() {
+            return with_run(|run| self.draw_spans(target, run, columns));
+        }
         let part = self.within(&target.bounding_box());
         (part.top..part.bottom).try_for_each(|y| {
             let Range { start, end } = columns(y);
             let (left, right) = (start.max(part.left), end.min(part.right));
-            self.fill(target, Extent { left, top: y, right, bottom: y + 1 }, run)
+            self.fill(target, Extent { left, top: y, right, bottom: y + 1 }, row)
         })
     }
 
@@ -277,11 +278,11 @@ impl<C: Paint + PixelColor> Drawable for Placed<'_, C> {
     type Output = ();
 
     /// Draws in one call of [`fill_contiguous`](DrawTarget::fill_contiguous), with pixels that are computed as
-    /// the target takes them, 40 at a time at most.
+    /// the target takes them, as many at a time as in [`Scene::draw`](crate::Scene::draw).
     fn draw<D>(&self, target: &mut D) -> Result<(), D::Error>
     where
         D: DrawTarget<Color = C>,
     {
-        self.draw_through(target, &mut blank())
+        with_run(|run| self.draw_through(target, run))
     }
 }

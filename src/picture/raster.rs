@@ -14,17 +14,21 @@ use crate::solid::Solid;
 use core::ops::Range;
 
 /// How many pixels are computed at once where the caller lends no memory: `Scene::draw` keeps them on its
-/// stack.
+/// stack. The numbers are those for colors of one byte, of two, and of more: 160 bytes of stack.
 ///
-/// The value is a choice between stack and time. Each solid is set up anew for every run, so that the
-/// README's vase, drawn in runs of 40, takes 2.7 times as long as in rows of 240. 40 divides the usual
-/// widths, 240 and 320, and is a multiple of 8, the period of the dithering.
-pub(crate) const RUN: usize = 40;
+/// The value is a choice between stack and time, because each solid is set up anew for every run: the
+/// README's vase in `Rgb565` takes half as long again in runs of 80 as in rows of 240, and more than twice as
+/// long in runs of 40. All of these divide the usual widths, 240 and 320, or fill a row of 128, and are
+/// multiples of 8, the period of the dithering.
+pub(crate) const RUNS: [usize; 3] = [160, 80, 40];
 
 /// For how many pixels at most distances are kept in memory at once. This many is a whole row of the usual
 /// displays, so that a row is not cut in pieces: if the two halves of a row are mirror images, only one is
 /// swept.
 const MOST_DEPTHS: usize = 240;
+
+/// The same for parts that are no longer than this.
+const FEW_DEPTHS: usize = RUNS[1];
 
 /// A scene, the size of its picture in pixels, and the order in which its solids are painted.
 ///
@@ -57,10 +61,10 @@ impl Raster<'_> {
         if block < beyond {
             // Memory for fewer distances serves a short part: a scene that is drawn run by run may have little
             // stack.
-            if part.run.len() > RUN {
+            if part.run.len() > FEW_DEPTHS {
                 self.block::<C, MOST_DEPTHS>(&mut part);
             } else {
-                self.block::<C, RUN>(&mut part);
+                self.block::<C, FEW_DEPTHS>(&mut part);
             }
             self.paint(beyond..usize::MAX, &mut part);
         }

@@ -1,6 +1,6 @@
 //! Pixels in f32, for machines with an FPU.
 
-use super::Share;
+use super::{Share, integers};
 use crate::math::minmax::greater;
 use crate::math::rsqrt;
 use crate::vector::{F32x3, Vector, vector};
@@ -37,6 +37,27 @@ impl Rays {
     /// Counts the rays backwards.
     #[inline(always)]
     pub fn reverse(&mut self) {}
+}
+
+/// What a segment has for this arithmetic beside its coefficients in floats: no more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct Wall;
+
+impl Wall {
+    /// That of a segment which no ray meets.
+    pub const EMPTY: Self = Self;
+
+    /// That of a segment with the coefficients f and `per_height`.
+    pub const fn new(_f: [f32; 4], _per_height: f32) -> Self {
+        Self
+    }
+
+    /// In this arithmetic a segment has no integers, and this is not called.
+    #[inline(always)]
+    pub fn in_integers(&self) -> &integers::Wall {
+        &integers::Wall::EMPTY
+    }
 }
 
 /// A cap or a ring at the height z of the frame, of which r² is from `middle − half` to `middle + half`. It

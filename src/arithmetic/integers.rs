@@ -8,12 +8,14 @@ mod fixed;
 mod inverse_root;
 mod rays;
 mod seen;
+mod wall;
 
 pub(crate) use divisor::{Divisor, narrowed, square_root};
 pub(crate) use fixed::{dot, exponent, fixed, fixed_vector, high, power_of_two, shifted, wide, wide_square};
 pub(crate) use inverse_root::{inverse_root, root_of_quarter, square};
 pub(crate) use rays::Rays;
 pub(crate) use seen::{Cosine, Direction, Gloss, Pair, Seen, ToLight, Views};
+pub(crate) use wall::Wall;
 
 /// How the numbers of a sweep are held: how many bits stand behind the point.
 #[derive(Clone, Copy)]

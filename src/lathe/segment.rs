@@ -1,13 +1,14 @@
 //! One segment of a lathe: its cubic, and bounds on it.
 
+use crate::arithmetic::Wall;
 use crate::math::minmax::{greater, lesser};
 use crate::profile::ProfilePiece;
 
 /// One segment of a lathe: a cubic piece of the profile, prepared for rays.
 /// [`Lathe::turn`](crate::Lathe::turn) makes it.
 ///
-/// In this version a segment takes 76 bytes of flash, or of memory if it is not a `static`; other versions
-/// may differ.
+/// In this version a segment takes 76 bytes of flash, or of memory if it is not a `static`; 96 in the
+/// arithmetic of integers, where the machine has no FPU. Other versions may differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Segment {
@@ -40,6 +41,8 @@ pub struct Segment {
     pub(super) curvature: f32,
     /// `[f1/2, 3·f3/2]`, for [`Segment::about`].
     half: [f32; 2],
+    /// The cubic in the arithmetic of rows, if that is not floats.
+    pub(super) wall: Wall,
 }
 
 /// The larger of two numbers; NaN if `a` or `b` is NaN.
@@ -85,6 +88,7 @@ impl Segment {
         max_slope: 0.0,
         curvature: 0.0,
         half: [0.0; 2],
+        wall: Wall::EMPTY,
     };
 
     /// A segment in the frame, given its piece of the profile, the height of the frame's origin and the
@@ -114,6 +118,7 @@ impl Segment {
                 * per_height,
             curvature: greater_or_nan(c2.abs(), (c2 + 3.0 * c3).abs()) * per_height * per_height,
             half: [0.5 * f[1], 1.5 * f[3]],
+            wall: Wall::new(f, per_height),
         }
     }
 

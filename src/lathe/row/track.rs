@@ -6,7 +6,7 @@
 #[allow(dead_code)]
 mod floats;
 #[allow(dead_code)]
-pub(super) mod integers;
+mod integers;
 
 use super::sweep::Sweep;
 use crate::arithmetic::{Length, Seen};

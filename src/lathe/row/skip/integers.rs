@@ -17,7 +17,6 @@ use super::{Above, Probing};
 use crate::arithmetic::integers::{Divisor, Numbers, Rays, dot, fixed, high, power_of_two, shifted, wide};
 use crate::lathe::row::bounds::SPANS;
 use crate::lathe::row::sweep::{Start, Sweep};
-use crate::lathe::row::track::integers::wall::Wall;
 use crate::lathe::segment::Segment;
 use cubic::Cubic;
 
@@ -143,12 +142,13 @@ impl Numbers {
     /// `is_negative`.
     #[inline(never)]
     fn g_between(self, path: &Path, segment: &Segment, (from, to): (i32, i32), is_negative: bool) -> Cubic {
-        let wall = Wall::new(segment, self.w);
+        let wall = segment.wall.in_integers();
+        let [bottom, top] = [segment.low, segment.high].map(|z| fixed(z, self.w));
         // The heights lie in the slab, but for rounding, and so |v| ≤ 1/2 there.
-        let parameter_bits = (31 - self.w - wall.height).max(0) as u32;
+        let parameter_bits = (31 - self.w - i32::from(wall.height)).max(0) as u32;
         let [v0, v1] = [from, to].map(|s| {
             let [.., z] = path.at(s);
-            (z - wall.middle).clamp(-wall.half, wall.half) << parameter_bits
+            (z.clamp(bottom, top) - ((bottom + top) >> 1)) << parameter_bits
         });
         let (v, half_height) = ((v0 >> 1) + (v1 >> 1), (v1 >> 1) - (v0 >> 1));
         let times = |x: i32| high(x, half_height) << 1;
@@ -165,7 +165,7 @@ impl Numbers {
         let ([x, y, _], [dx, dy, _]) = (path.at(middle), path.d);
         let (p, h) = ([x, y], [high(half, dx), high(half, dy)]);
         let squares = [dot(p, p), 2 * dot(p, h), dot(h, h), 0];
-        let left = 2 * self.w + 2 * wall.block - 26;
+        let left = 2 * self.w + 2 * i32::from(wall.block) - 26;
         Cubic::new(core::array::from_fn(|i| {
             let g = shifted(f[i].into(), left) - squares[i];
             if is_negative { -g } else { g }

@@ -1,7 +1,7 @@
 //! The innermost loop in integers.
 //!
 //! Each number has the bits behind the point that the table says, with the `numbers` of the row, see
-//! [`Numbers`], and the `block` of the segment, see [`Wall::block`]:
+//! [`Numbers`], and the `block` of the segment, see [`Wall::block`](crate::arithmetic::integers::Wall::block):
 //!
 //! | number | bits behind the point |
 //! |---|---|
@@ -25,7 +25,6 @@
 
 mod gradient;
 mod shift;
-pub(in crate::lathe::row) mod wall;
 
 use crate::arithmetic::integers::{Length, Numbers, Rays, Seen, exponent, fixed, high, power_of_two};
 use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
@@ -33,9 +32,8 @@ use crate::math::cold_path;
 use crate::math::minmax::greater;
 use crate::vector::{dot_xy, vector};
 use gradient::Gradient;
-use wall::Wall;
 
-/// In a segment with a larger [`Wall::block`] no root is tracked.
+/// In a segment with a larger [`Wall::block`](crate::arithmetic::integers::Wall::block) no root is tracked.
 ///
 /// With this one rounding changes g by less than 2⁻¹⁶, which is what the additions of a run may do in floats.
 /// For what is rounded, by half a unit to two units each, are the coefficients of f, three products, and two
@@ -69,8 +67,11 @@ impl Numbers {
         let Sweep { bounds, root, .. } = &*sweep;
         let (segment, certificate) = (root.segment, &root.certificate);
         let numbers = self;
-        let wall = Wall::new(segment, numbers.p);
-        let &Wall { block, height, middle, half, .. } = &wall;
+        let wall = segment.wall.in_integers();
+        let (block, height) = (i32::from(wall.block), i32::from(wall.height));
+        // The middle and half of the height.
+        let [bottom, top] = [segment.low, segment.high].map(|z| fixed(z, numbers.p));
+        let (middle, half) = ((bottom + top) >> 1, (top - bottom) >> 1);
 
         // A root where the ray leaves the solid is tracked as one where the reversed ray enters the solid's
         // image in the axis: x and y of points change their signs, and z of directions.
@@ -137,7 +138,7 @@ impl Numbers {
         let below = half - if root.index == 0 { pad } else { knot_pad };
         let above = half - if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
         let width = (below + above).max(0) as u32;
-        let mut gradient = Gradient::new(&wall, numbers, bounds.lathe.frame.root_squash, is_inside);
+        let mut gradient = Gradient::new(wall, numbers, bounds.lathe.frame.root_squash, is_inside);
 
         let unit = power_of_two(-numbers.s);
         let signed_unit = if is_inside { -unit } else { unit };

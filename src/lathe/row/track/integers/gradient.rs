@@ -1,8 +1,7 @@
 //! The normals of a segment's wall in integers.
 
 use super::shift::Shift;
-use super::wall::Wall;
-use crate::arithmetic::integers::{Direction, Numbers, Seen, fixed, high, inverse_root, square};
+use crate::arithmetic::integers::{Direction, Numbers, Seen, Wall, fixed, high, inverse_root, square};
 
 /// What the normals of a segment's wall are computed from where a root is tracked; and the length of the last
 /// normal, from which the search for the next one's length begins.
@@ -30,7 +29,8 @@ const MOST_ZOOM: u32 = 10;
 impl Gradient {
     /// What belongs to the wall of a segment, seen from outside or from inside. `root_squash` is √k.
     pub fn new(wall: &Wall, numbers: Numbers, root_squash: f32, is_inside: bool) -> Self {
-        let &Wall { a: [_, a1, a2, a3], block, height, .. } = wall;
+        let &Wall { a: [_, a1, a2, a3], block, height } = wall;
+        let (block, height) = (i32::from(block), i32::from(height));
         // −½·dF/dz is the derivative over v times −2^(−1 − height). Where |v| ≤ 1/2 it is at most this:
         let most = a1.unsigned_abs() + a2.unsigned_abs() + a3.unsigned_abs();
         let left = 1 + block - height;

@@ -1,44 +1,51 @@
 //! A segment's cubic in integers.
 
-use crate::arithmetic::integers::{exponent, fixed, high};
-use crate::lathe::segment::Segment;
+use super::{exponent, fixed, high};
 
 /// A segment's cubic about the middle of its height, `a0 + a1·v + a2·v² + a3·v³`.
 ///
 /// The parameter v is (z − middle)/2^height, in units of 2⁻³¹; in the segment it is between −1/2 and 1/2, and
 /// the cubic may be computed for all v between −1 and 1. So roots are found up to half a segment's height, at
 /// least, beyond its ends.
-pub(in crate::lathe::row) struct Wall {
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct Wall {
     /// The coefficients, in units of 2^(2·block − 26).
     pub a: [i32; 4],
     /// How many bits fewer than 13 a radius has behind the point; it is the least for which
     /// |a0| + |a1| + 2·|a2| + 3·|a3| is less than 2³⁰ units.
-    pub block: i32,
+    pub block: i16,
     /// 2^height is more than the segment's height, and at most twice that.
-    pub height: i32,
-    /// The middle and half of the height, in the units of coordinates.
-    pub middle: i32,
-    pub half: i32,
+    pub height: i16,
 }
 
 impl Wall {
-    /// The cubic of a segment, if coordinates have that many `bits`.
-    pub fn new(segment: &Segment, bits: i32) -> Self {
+    /// That of a segment which no ray meets.
+    pub const EMPTY: Self = Self { a: [0; 4], block: 0, height: 0 };
+
+    /// The cubic of a segment with the coefficients f in powers of u, and with `per_height`, one over its
+    /// height.
+    pub const fn new(f: [f32; 4], per_height: f32) -> Self {
         // 1/h is less than 2^e; so h is more than 2^−e, and at most twice that: it is that if the mantissa of
         // 1/h is 1.
-        let is_power = segment.per_height.to_bits() << 9 == 0;
-        let height = 1 - exponent(segment.per_height) + i32::from(is_power);
-        let per_height = fixed(segment.per_height, 29 + height);
-        let most = segment.f.iter().fold(0.0, |most: f32, c| if c.abs() > most { c.abs() } else { most });
+        let is_power = per_height.to_bits() << 9 == 0;
+        let height = 1 - exponent(per_height) + is_power as i32;
+        let per_height = fixed(per_height, 29 + height);
+        let [c0, c1, c2, c3] = f;
+        let most = c0.abs().max(c1.abs()).max(c2.abs().max(c3.abs()));
         // |c| < 2²⁴ units; about the middle the largest coefficient is at most eight times that, and the sum
         // less than 2³⁰.
         let fine = 24 - exponent(most);
-        let sum = sum(about_middle(segment.f, per_height, fine));
+        let sum = sum(about_middle(f, per_height, fine));
         let excess = 32 - sum.leading_zeros() as i32 - fine + 26 - 30;
-        let block = (excess.max(0) + 1) >> 1;
-        let a = about_middle(segment.f, per_height, 26 - 2 * block);
-        let (low, high) = (fixed(segment.low, bits), fixed(segment.high, bits));
-        Self { a, block, height, middle: (low + high) >> 1, half: (high - low) >> 1 }
+        let block = (if excess > 0 { excess } else { 0 } + 1) >> 1;
+        Self { a: about_middle(f, per_height, 26 - 2 * block), block: block as i16, height: height as i16 }
+    }
+
+    /// In this arithmetic it is what a segment has.
+    #[inline(always)]
+    pub fn in_integers(&self) -> &Self {
+        self
     }
 
     /// f and its derivative over v.
@@ -61,19 +68,20 @@ impl Wall {
 
 /// The coefficients about the middle, in units of 2^−`bits`, of the cubic with the coefficients f in powers of
 /// u. `per_height` is du/dv, from 1 to 2, in units of 2⁻²⁹.
-#[inline(never)]
-fn about_middle(f: [f32; 4], per_height: i32, bits: i32) -> [i32; 4] {
-    let [c0, c1, c2, c3] = f.map(|c| fixed(c, bits));
-    let scaled = |c: i32| ((i64::from(c) * i64::from(per_height)) >> 29) as i32;
+const fn about_middle([c0, c1, c2, c3]: [f32; 4], per_height: i32, bits: i32) -> [i32; 4] {
+    const fn scaled(c: i32, per_height: i32) -> i32 {
+        ((c as i64 * per_height as i64) >> 29) as i32
+    }
+    let (c0, c1, c2, c3) = (fixed(c0, bits), fixed(c1, bits), fixed(c2, bits), fixed(c3, bits));
     [
         c0 + (c1 >> 1) + (c2 >> 2) + (c3 >> 3),
-        scaled(c1 + c2 + c3 - (c3 >> 2)),
-        scaled(scaled(c2 + c3 + (c3 >> 1))),
-        scaled(scaled(scaled(c3))),
+        scaled(c1 + c2 + c3 - (c3 >> 2), per_height),
+        scaled(scaled(c2 + c3 + (c3 >> 1), per_height), per_height),
+        scaled(scaled(scaled(c3, per_height), per_height), per_height),
     ]
 }
 
 /// A bound of the cubic and of its derivative for |v| < 1.
-fn sum([a0, a1, a2, a3]: [i32; 4]) -> u32 {
+const fn sum([a0, a1, a2, a3]: [i32; 4]) -> u32 {
     a0.unsigned_abs() + a1.unsigned_abs() + 2 * a2.unsigned_abs() + 3 * a3.unsigned_abs()
 }

@@ -1,32 +1,35 @@
 //! The proof of how far a section and the segments that stand for it are apart, both ways.
 //!
-//! Let C(t) be a point of the section and d(t) a vector, at most 1 long, that changes continuously with t and
-//! points away from the axis. Let every point C(t) + β(t)·d(t) be outside of the fitted curve, farther from the
-//! axis than it is at that height, and every point C(t) − γ(t)·d(t) inside of it, where β and γ are continuous and
-//! do not exceed B. Then neither curve is anywhere farther than B from the other one:
+//! Let C(t) be a point of the section, and let d(t) and e(t) be vectors, at most 1 long, that change continuously
+//! with t; d points away from the axis, e towards it. Let every point C(t) + β(t)·d(t) be outside of the fitted
+//! curve, farther from the axis than it is at that height, and every point C(t) + γ(t)·e(t) inside of it. The numbers β
+//! and γ are continuous, not negative, and at most B. Then neither curve is anywhere farther than B from the other
+//! one:
 //!
-//! - The straight line from C(t) − γ·d to C(t) + β·d crosses the fitted curve, and no point of it is farther than
-//!   B from C(t).
-//! - These lines, for all t, are the image of a rectangle. Its border winds once around each point of
-//!   the fitted curve between the first line and the last one: a way that leaves the point along the fitted curve,
-//!   which height parametrizes, crosses neither of the two long sides, and of the short ones only one. So the point is in
-//!   the image: it lies on a line, not farther than B from C(t).
+//! - The line from C(t) + γ·e straight to C(t) and on to C(t) + β·d crosses the fitted curve, and no point of it is
+//!   farther than B from C(t).
+//! - These lines, for all t, are the image of a rectangle. Its border winds once around each point of the fitted curve
+//!   between the first line and the last one: a way that leaves the point along the fitted curve, which height
+//!   parametrizes, crosses neither of the two long sides, and of the short ones only one. So the point is in the
+//!   image: it lies on a line, not farther than B from C(t).
 //!
-//! That is the whole proof, and it needs signs only. Between two cuts d is interpolated linearly from the normals there, or at a corner from what lies between its two normals;
-//! C(t) ± B·d(t) is polynomial, or a ratio of polynomials over one denominator, and so is H = F − r² along
+//! That is the whole proof, and it needs signs only. d and −e are the section's normals, interpolated linearly
+//! between two cuts. At a corner t stands still while they turn from the one normal to the other, on the side where
+//! the two leave a gap between them; on the other side, where normals cross, they turn on the way to the corner. The
+//! parallel C(t) + B·d(t) is polynomial, or a ratio of polynomials over one denominator, and so is H = F − r² along
 //! it, F the fitted squared radius. Its Bernstein coefficients, computed in [`Ball`]s that are rounded outwards, have
 //! one sign, or the interval is halved. On the inner side of a sharp bend, where parallels fold, smaller β do.
 //!
-//! Both curves are continued beyond their ends by parallel rays: upright ones, or, where the end is level or at the axis,
-//! rays at 14° to it. At the axis they go on to negative radii. A step at an end belongs to the fitted curve. A point of
-//! a ray is farther from whatever lies behind the ray's start than that start is, so that what is
-//! proven of the continued curves holds for those without rays.
+//! Both curves are continued beyond their ends by parallel rays: upright ones, or, where the end is level or at the
+//! axis, rays at 14° to it. At the axis they go on to negative radii. A step at an end belongs to the fitted curve. A
+//! point of a ray is farther from whatever lies behind the ray's start than that start is, so that what is proven of
+//! the continued curves holds for those without rays.
 
 use crate::{
     ball::Ball,
     bernstein::{lift, product, restrict, scale, sum},
     piece::{Piece, Point, Radius},
-    section::{Section, normal},
+    section::{Place, Section},
     segment::Segment,
 };
 
@@ -77,8 +80,8 @@ const HALVINGS: usize = 200;
 /// In how many boxes the curves are looked at beside an end.
 const BOXES: i32 = 16;
 
-/// How near to a corner, in units of B, d turns from the normal to the corner's direction.
-const NEAR_CORNER: f64 = 3.0;
+/// Within what distance of a corner, in units of B, d turns from the normal to the corner's direction.
+pub(crate) const NEAR_CORNER: f64 = 3.0;
 
 /// Shorter intervals of t are not halved but where the proof needs it.
 const LONG: f64 = 0.1;
@@ -129,6 +132,12 @@ impl Range {
 enum Side {
     Outside,
     Inside,
+}
+
+impl Side {
+    fn sign(self) -> f64 {
+        if self == Self::Outside { 1.0 } else { -1.0 }
+    }
 }
 
 /// A part of the continued section over which d is interpolated.
@@ -308,32 +317,39 @@ impl<'a> Proof<'a> {
 
     /// Whether the lines of a length of at most `by` to both sides end on that side; if not, where.
     fn holds(&self, by: f64) -> Result<(), f64> {
-        let parts = self.parts(by);
-        self.side(&parts, by, Side::Outside)?;
-        self.side(&parts, by, Side::Inside)
+        [Side::Outside, Side::Inside]
+            .into_iter()
+            .try_for_each(|side| self.side(&self.parts(by, side), by, side))
     }
 
-    /// The continued section from below: its pieces and its rays.
-    fn parts(&self, by: f64) -> Vec<Part> {
+    /// The continued section from below: its pieces, its corners where normals have a gap between them, and its rays.
+    fn parts(&self, by: f64, side: Side) -> Vec<Part> {
         let pieces = &self.section.pieces;
         let [low, high] = &self.ends;
         let across = |end: &End| [end.ray[1], -end.ray[0]];
         let on_ray =
             |end: &End, by: f64| Point { r: end.drawn.r + by * end.ray[0], z: end.drawn.z + by * end.ray[1] };
-        let normals: Vec<Vector> = (0..=pieces.len()).map(|i| self.section.place(i as f64).normal).collect();
+        let joins: Vec<Place> = (0..=pieces.len()).map(|i| self.section.place(i as f64)).collect();
+        // Where a piece ends below a join, and where the next one begins.
+        let d = |join: &Place| if join.is_gapped(side.sign()) { join.normals } else { [join.normal; 2] };
         let mut parts = vec![Part {
             line: Line::Straight([on_ray(low, -2.0 * by), low.drawn], 0.0),
             t: [0.0, 1.0],
-            d: [across(low), normals[0]],
+            d: [across(low), joins[0].normal],
         }];
-        for (i, d) in normals.windows(2).enumerate() {
-            parts.push(Part { line: Line::Piece(i), t: [0.0, 1.0], d: [d[0], d[1]] });
+        for (i, ends) in joins.windows(2).enumerate() {
+            parts.push(Part { line: Line::Piece(i), t: [0.0, 1.0], d: [d(&ends[0])[1], d(&ends[1])[0]] });
+            if ends[1].is_gapped(side.sign()) {
+                let corner = Point { r: ends[1].r, z: ends[1].z };
+                let line = Line::Straight([corner; 2], (i + 1) as f64);
+                parts.push(Part { line, t: [0.0, 1.0], d: ends[1].normals });
+            }
         }
         let last = pieces.len();
         parts.push(Part {
             line: Line::Straight([high.drawn, on_ray(high, 2.0 * by)], last as f64),
             t: [0.0, 1.0],
-            d: [normals[last], across(high)],
+            d: [joins[last].normal, across(high)],
         });
         parts
     }
@@ -349,7 +365,7 @@ impl<'a> Proof<'a> {
                 continue;
             }
             let middle = 0.5 * (part.t[0] + part.t[1]);
-            let d = self.direction(&part, middle, by);
+            let d = self.direction(&part, middle, by, side);
             let here = Part { t: [middle; 2], d: [d; 2], ..part.clone() };
             halvings = halvings.saturating_sub(1);
             if halvings == 0
@@ -372,18 +388,11 @@ impl<'a> Proof<'a> {
         }
     }
 
-    /// The normal; but near a corner, where parallels to both sides of it cross, a direction between a part's.
-    fn direction(&self, part: &Part, t: f64, by: f64) -> Vector {
+    /// The direction at a t of a part.
+    fn direction(&self, part: &Part, t: f64, by: f64, side: Side) -> Vector {
         if let Line::Piece(i) = part.line {
-            let piece = &self.section.pieces[i];
-            let at = piece.at(t);
-            let near = |s: usize| {
-                let corner = self.section.place(s as f64);
-                corner.is_corner && at.distance(Point { r: corner.r, z: corner.z }) < NEAR_CORNER * by
-            };
-            if !near(i) && !near(i + 1) {
-                return normal(piece, t);
-            }
+            let place = self.section.place(i as f64 + t);
+            return self.section.direction(&place, side.sign(), NEAR_CORNER * by);
         }
         let [[a, b], [c, d]] = part.d;
         let length = (a + c).hypot(b + d);
@@ -415,7 +424,7 @@ impl<'a> Proof<'a> {
             return None;
         }
         let stretch = self.stretch(part);
-        let sign = if side == Side::Outside { by } else { -by };
+        let sign = by * side.sign();
         // Where parallels fold they do so within B.
         let [from, to] = part.t.map(|t| self.at(part, t));
         let some = if is_long || from.distance(to) > 0.5 * by { 1 } else { REACHES.len() };

@@ -2,6 +2,7 @@
 
 mod convert;
 mod inspect;
+mod patience;
 
 use clap::{Args, Parser, Subcommand};
 use embedded_lathe_outline::{

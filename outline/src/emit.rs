@@ -28,8 +28,8 @@ impl Origin {
     }
 }
 
-/// A body as a `static`, one solid, its numbers inside `valid!`, with a comment of its name, its source, its tolerance and its proven error.
-/// It compiles after `use embedded_lathe::*;`.
+/// A body as a `static`, one solid, its numbers inside `valid!`, with a comment of its name, its source, its
+/// tolerance and its proven error. It compiles after `use embedded_lathe::*;`.
 pub fn source(body: &Body, origin: &Origin) -> String {
     let mut text = String::new();
     let unit = origin.unit.symbol();

@@ -39,10 +39,12 @@ pub enum OutlineError {
         heights: Vec<f64>,
     },
     /// Two parts of the outline cross.
-    #[error("the outline crosses itself at height {height}")]
+    #[error("the outline crosses itself at height {height}, radius {radius}")]
     CrossesItself {
         /// At which height.
         height: f64,
+        /// At which distance from the axis.
+        radius: f64,
     },
     /// All of it lies on the axis, or at one height.
     #[error("the outline has no wall: all of it lies on the axis, or at one height")]

@@ -1,22 +1,30 @@
 //! The least number of segments that follow a section within a tolerance.
 //!
-//! Knots may lie at some places of the section, and at each of these on the section itself or on its two
-//! parallels at nearly the tolerance, with the section's own tangent: three kinds of knot a place. (A segment
-//! on exact ends is off by up to M·h⁴/384, M the largest fourth derivative of r² over height, all of it to one
-//! side; moved by half of that it is off by half as much.) At a corner and at the section's ends a knot
-//! stays where it is, but a segment may arrive with another slope than the section: there is no tangent to share.
-//! Beside a level tip r² goes with the root of the height, as no cubic does: there the last segment passes through
-//! the section at another height, and ends at one of several radii within the tolerance. A step takes the rest.
+//! Knots may lie at some places of the section, and at each of these on the section itself or at one of several
+//! distances from it, up to nearly the tolerance. Where the section is smooth a knot has its tangent there, so that
+//! the segments on both sides share it: joined in this way, equal segments of height h are off by at least M·h⁴/768,
+//! M the fourth derivative of r² over height. At a corner and at the section's ends a knot stays where it is, and
+//! segments choose their slope: there is no tangent to share. With [`Joins::Free`] they choose it everywhere. Beside
+//! a level tip r² goes with the root of the height, as no cubic does: there the last segment ends at one of several
+//! radii within the tolerance, and a step takes the rest.
 //!
-//! A search by breadth over all pairs of knots finds the fewest segments that lie between the section's parallels
-//! at the tolerance, at sampled places: first all knots that one segment reaches, then those that two reach. (A
-//! longer segment may do where a shorter one does not, so that always taking the longest would not be enough.)
-//! What it finds is proven; where a proof fails the search goes on without the segment that it fails for.
+//! Between two knots a segment has at most two numbers left, its slopes at both ends. It has to pass between the
+//! section's two parallels at the tolerance: each point of a parallel bounds a weighted sum of the two slopes, which
+//! leaves a half-plane of them, and of the pairs that lie in all half-planes the segment takes the nearest to the
+//! section's own slopes.
+//!
+//! A breadth-first search over all pairs of knots finds the fewest such segments: first all knots that one segment
+//! reaches, then those that two reach. (A longer segment may pass where a shorter one does not, so that always taking
+//! the longest would not be enough.) What it finds is proven; where a proof fails the search goes on without the
+//! segment that it fails for.
 
 use crate::{
     certificate,
+    region::Region,
     section::{Place, SAMPLES, Section, Tip},
     segment::{Cubic, Knot, Segment},
+    solid::Joins,
+    tube::{Apart, Bound, SIDES, Tube},
 };
 use std::collections::HashSet;
 
@@ -31,40 +39,39 @@ pub(crate) struct Fitted {
     pub error: f64,
 }
 
-/// Offsets of knots from the section, in tolerances. Of several that do, the search takes the last, here as below.
-const OFFSETS: [f64; 3] = [MOST_OFFSET, -MOST_OFFSET, 0.0];
+/// Offsets of knots from the section, in tolerances, where segments share the tangent there.
+const OFFSETS: [f64; 5] = [MOST_OFFSET, -MOST_OFFSET, 0.5, -0.5, 0.0];
 
-const MOST_OFFSET: f64 = 0.95;
+/// The same where they do not. Of several that do, the search takes the last, here as above and below.
+const FREE_OFFSETS: [f64; 3] = [MOST_OFFSET, -MOST_OFFSET, 0.0];
 
-/// By how much a segment's slope at a corner or an end may differ from the section's: in tolerances of r² over the
-/// height of the segment. The polynomial of degree 4 with leading coefficient 1 that is least on [−1, 1] among those that are zero at ±1
-/// has slopes of 4·cot(π/8) = 9.7 times its size there, twice as much in segments of height 2.
-const TILTS: [f64; 5] = [19.0, -19.0, 8.0, -8.0, 0.0];
-
-/// A section with more corners than these has knots with its own slopes there.
-const MANY_CORNERS: usize = 30;
-
-/// Where the segment beside a level tip meets the section: the distance from the tip, in heights of the segment.
-const MEETINGS: [f64; 7] = [0.7, 0.5, 0.03, 0.08, 0.35, 0.15, 0.25];
+const MOST_OFFSET: f64 = 0.97;
 
 /// Below a level tip, how far down the section has the radius at which a segment may end: in tolerances. Zero is
 /// the tip itself, and needs no step.
-const DEPTHS: [f64; 4] = [0.9, 0.6, 0.3, 0.0];
+const DEPTHS: [f64; 8] = [0.95, 0.85, 0.7, 0.5, 0.3, 0.15, 0.05, 0.0];
 
-/// Of the tolerance, what a segment is compared by: the rest is for rounding, and what samples may miss.
-const COMPARED_BY: f64 = 0.985;
+/// Of the tolerance, what segments are compared by: the rest is for rounding, and for what samples may miss. By less,
+/// one after the other, where those that are found are not proven.
+const COMPARED_BY: [f64; 5] = [0.99, 0.96, 0.9, 0.75, 0.5];
 
-/// At how many places a segment is compared with the section, corners aside.
+/// At how many points of parallels a segment is compared with the section before it is at all.
 const COMPARED: usize = 16;
 
-/// At how many it is compared where those do not refuse it.
+/// At how many of each it is compared where those do not refuse it.
 const CLOSER: usize = 200;
 
-/// How far out a side is looked for, in tolerances, as the proof does.
-const REACHES: [f64; 9] = [1.0, 0.7, 0.45, 0.25, 0.1, 0.0, -0.3, -0.6, -0.9];
+/// How far out a side is looked for where parallels fold, in tolerances, as the proof does.
+const REACHES: [f64; 6] = [1.0, 0.7, 0.45, 0.25, 0.1, 0.0];
 
-/// How often the search goes on without what was not proven.
-const TRIES: usize = 60;
+/// How often each search goes on without what was not proven.
+const TRIES: usize = 12;
+
+/// By how much rounding to f32 may turn a tangent that two segments share, in radians: lower segments are none.
+const MOST_TURNED: f64 = 2e-4;
+
+/// A unit in the last place of f32 is at most as large a part of a number.
+const ULP: f64 = 1.0 / (1 << 23) as f64;
 
 /// Where a segment may begin or end.
 #[derive(Clone, Copy, Debug)]
@@ -73,44 +80,36 @@ struct Anchor {
     at: usize,
     z: f64,
     f: f64,
-    /// What decides the slope there, below and above.
-    slopes: [Slope; 2],
+    /// The slope there, below and above; `None` where a segment chooses it.
+    slopes: [Option<f64>; 2],
     /// Whether a step leads on to the section's end.
     step: bool,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Slope {
-    /// This one.
-    Fixed(f64),
-    /// This one and as many [`TILTS`].
-    Tilted(f64, f64),
-    /// That with which the segment meets the section so far from here, in heights of the segment.
-    Meeting(f64),
-}
-
 /// The fewest segments within `tolerance` of a section, with knots at some `count` places, and proven; or
 /// the place where none were.
-pub(crate) fn fewest(section: &Section, tolerance: f64, count: usize) -> Result<Fitted, f64> {
+pub(crate) fn fewest(section: &Section, tolerance: f64, count: usize, joins: Joins) -> Result<Fitted, f64> {
     if let Some(segments) = exact(section) {
         let segments: Vec<Segment> = segments.iter().map(Segment::rounded).collect();
         let error = certificate::distance(section, &segments, [false; 2], tolerance)?;
         return Ok(Fitted { segments, steps: [false; 2], error });
     }
-    let search = Search::new(section, tolerance, count);
-    let anchors = search.anchors();
-    let mut refused = HashSet::new();
     let mut place = 0.5 * section.pieces.len() as f64;
-    for _ in 0..TRIES {
-        let Some(path) = search.shortest(&anchors, &refused) else { break };
-        let (fitted, chain) = search.fitted(&anchors, &path);
-        match certificate::distance(section, &fitted.segments, fitted.steps, tolerance) {
-            Ok(error) => return Ok(Fitted { error, ..fitted }),
-            Err(at) => {
-                place = at;
-                let above = chain.partition_point(|k| search.places[anchors[*k].at].s <= at);
-                let above = above.clamp(1, chain.len() - 1);
-                refused.insert((chain[above - 1], chain[above]));
+    for part in COMPARED_BY {
+        let search = Search::new(section, part * tolerance, count, joins);
+        let anchors = search.anchors();
+        let mut refused = HashSet::new();
+        for _ in 0..TRIES {
+            let Some(path) = search.shortest(&anchors, &refused) else { break };
+            let fitted = search.fitted(&anchors, &path);
+            match certificate::distance(section, &fitted.segments, fitted.steps, tolerance) {
+                Ok(error) => return Ok(Fitted { error, ..fitted }),
+                Err(at) => {
+                    place = at;
+                    let above = path.partition_point(|k| search.places[anchors[*k].at].s <= at);
+                    let above = above.clamp(1, path.len() - 1);
+                    refused.insert((path[above - 1], path[above]));
+                }
             }
         }
     }
@@ -120,16 +119,16 @@ pub(crate) fn fewest(section: &Section, tolerance: f64, count: usize) -> Result<
 struct Search<'a> {
     section: &'a Section,
     places: Vec<Place>,
-    /// The indices of places with corners.
-    corners: Vec<usize>,
+    tube: Tube,
     tolerance: f64,
+    joins: Joins,
 }
 
 impl<'a> Search<'a> {
-    fn new(section: &'a Section, tolerance: f64, count: usize) -> Self {
+    fn new(section: &'a Section, tolerance: f64, count: usize, joins: Joins) -> Self {
         let places = section.places(count);
-        let corners = (0..places.len()).filter(|i| places[*i].is_corner).collect();
-        Self { section, places, corners, tolerance: COMPARED_BY * tolerance }
+        let tube = Tube::new(section, &places, tolerance);
+        Self { section, places, tube, tolerance, joins }
     }
 
     /// Every anchor that there may be, from the lowest up.
@@ -141,11 +140,18 @@ impl<'a> Search<'a> {
             match at {
                 0 => self.ends(at, &self.section.low, &mut anchors),
                 _ if at == last => self.ends(at, &self.section.high, &mut anchors),
-                _ if place.is_corner => self.corner(at, &mut anchors),
-                _ => anchors.extend(OFFSETS.iter().filter_map(|offset| self.knot(at, *offset))),
+                _ if place.is_corner => anchors.push(self.free(at, place.f, false)),
+                _ => anchors.extend(self.offsets().iter().filter_map(|offset| self.knot(at, *offset))),
             }
         }
         anchors
+    }
+
+    fn offsets(&self) -> &'static [f64] {
+        match self.joins {
+            Joins::Smooth => &OFFSETS,
+            Joins::Free => &FREE_OFFSETS,
+        }
     }
 
     /// A knot at a distance from the section, with the tangent of the place it belongs to.
@@ -155,46 +161,30 @@ impl<'a> Search<'a> {
         let (r, z) = (r + by * normal[0], z + by * normal[1]);
         // 2·r·dr/dz.
         let (f, slope) = if offset == 0.0 { (f, slope) } else { (r * r, 2.0 * r * -normal[1] / normal[0]) };
-        let anchor = Anchor { at, z, f, slopes: [Slope::Fixed(slope); 2], step: false };
+        let shared = (self.joins == Joins::Smooth).then_some(slope);
+        let anchor = Anchor { at, z, f, slopes: [shared; 2], step: false };
         ((r > 0.0 || offset == 0.0) && slope.is_finite()).then_some(anchor)
     }
 
-    fn corner(&self, at: usize, anchors: &mut Vec<Anchor>) {
-        let Place { z, f, slopes, .. } = self.places[at];
-        if !slopes.iter().all(|slope| slope.is_finite()) {
-            return;
-        }
-        let tilts = if self.corners.len() > MANY_CORNERS { &TILTS[TILTS.len() - 1..] } else { &TILTS };
-        for below in tilts {
-            for above in tilts {
-                let slopes = [Slope::Tilted(slopes[0], *below), Slope::Tilted(slopes[1], *above)];
-                anchors.push(Anchor { at, z, f, slopes, step: false });
-            }
-        }
+    /// A knot at the height of a place without a tangent to share.
+    fn free(&self, at: usize, f: f64, step: bool) -> Anchor {
+        Anchor { at, z: self.places[at].z, f, slopes: [None; 2], step }
     }
 
     /// The anchors at an end of the section.
     fn ends(&self, at: usize, tip: &Tip, anchors: &mut Vec<Anchor>) {
-        let Place { z, f, slopes, .. } = self.places[at];
-        if tip.level {
-            let upper = at > 0;
-            for depth in if tip.step { &DEPTHS[..] } else { &DEPTHS[DEPTHS.len() - 1..] } {
-                let by = if upper { -depth } else { *depth } * self.tolerance;
-                let f = self.at_height(tip.at.z + by).f;
-                let meets = |meeting: &f64| {
-                    let slopes = [Slope::Meeting(*meeting); 2];
-                    Anchor { at, z, f, slopes, step: *depth > 0.0 }
-                };
-                anchors.extend(MEETINGS.iter().map(meets));
-            }
+        let Place { f, slopes, .. } = self.places[at];
+        if tip.level && tip.step {
+            let inwards = if at > 0 { -self.tolerance } else { self.tolerance };
+            let below_tip = DEPTHS.iter().filter(|depth| **depth > 0.0);
+            anchors.extend(
+                below_tip.map(|depth| self.free(at, self.at_height(tip.at.z + inwards * depth), true)),
+            );
         }
-        if slopes[1].is_finite() && slopes[0].is_finite() {
-            let tilted = |tilt: &f64| {
-                let slopes = slopes.map(|slope| Slope::Tilted(slope, *tilt));
-                Anchor { at, z, f, slopes, step: false }
-            };
-            anchors.extend(TILTS.iter().map(tilted));
-        }
+        // A pointed pole stays one.
+        let pointed = tip.at.r == 0.0 && slopes[1] == 0.0;
+        let end = self.free(at, f, false);
+        anchors.push(if pointed { Anchor { slopes: [Some(0.0); 2], ..end } } else { end });
     }
 
     /// A chain of the fewest segments from the lower end to the upper one: all anchors that one segment reaches,
@@ -212,9 +202,9 @@ impl<'a> Search<'a> {
                 // The nearest first, whose segment is the shortest.
                 let below = &reached[..reached.partition_point(|low| anchors[*low].at < anchor.at)];
                 let nearest = below.iter().rev().take(if far { 256 } else { usize::MAX });
-                let from = nearest
-                    .copied()
-                    .find(|low| self.allows(&anchors[*low], anchor) && !refused.contains(&(*low, *high)));
+                let from = nearest.copied().find(|low| {
+                    !refused.contains(&(*low, *high)) && self.segment(&anchors[*low], anchor).is_some()
+                });
                 if from.is_some() {
                     before[*high] = from;
                     next.push(*high);
@@ -231,66 +221,98 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// The segments of a path, as they are printed, not proven yet, and the anchors between them.
-    fn fitted(&self, anchors: &[Anchor], path: &[usize]) -> (Fitted, Vec<usize>) {
+    /// The segments of a path, as they are printed, not proven yet.
+    fn fitted(&self, anchors: &[Anchor], path: &[usize]) -> Fitted {
         let pairs = path.windows(2).filter_map(|k| self.segment(&anchors[k[0]], &anchors[k[1]]));
         let segments = pairs.map(|segment| segment.rounded()).collect();
         let steps = [anchors[path[0]].step, anchors[path[path.len() - 1]].step];
-        (Fitted { segments, steps, error: f64::INFINITY }, path.to_vec())
+        Fitted { segments, steps, error: f64::INFINITY }
     }
 
-    /// The segment between two anchors, if their heights are two numbers.
+    /// The segment between two anchors that passes between the parallels at sampled points, if there is one.
     fn segment(&self, low: &Anchor, high: &Anchor) -> Option<Segment> {
         if !((low.z as f32) < high.z as f32) {
             return None;
         }
+        let ends = [low, high];
         let height = high.z - low.z;
-        let slope = |anchor: &Anchor, slope: Slope| match slope {
-            Slope::Fixed(slope) => Some(slope),
-            Slope::Tilted(slope, by) => {
-                let per_distance = (4.0 * anchor.f + slope * slope).sqrt();
-                Some(slope + by * self.tolerance * per_distance / height)
+        let slopes = [low.slopes[1], high.slopes[0]];
+        let tips = [
+            (low.at == 0).then_some(&self.section.low),
+            (high.at + 1 == self.places.len()).then_some(&self.section.high),
+        ];
+        let own = [self.places[low.at].slopes[1], self.places[high.at].slopes[0]];
+        let secant = (high.f - low.f) / height;
+        let start = [0, 1].map(|end| if tips[end].is_some_and(|tip| tip.level) { secant } else { own[end] });
+        let mut region = Region::around(start);
+        // A fixed slope's is a part of what is known.
+        let cut = |region: &mut Region, bound: &Bound, side: f64| {
+            let u = (bound.z - low.z) / height;
+            let v = 1.0 - u;
+            let by_slopes = [height * u * v * v, -height * u * u * v];
+            let mut room = bound.f - low.f * v * v * (1.0 + 2.0 * u) - high.f * u * u * (1.0 + 2.0 * v);
+            let mut plane = [0.0; 2];
+            for end in 0..2 {
+                match slopes[end] {
+                    Some(slope) => room -= by_slopes[end] * slope,
+                    None => plane[end] = by_slopes[end],
+                }
             }
-            Slope::Meeting(_) => None,
+            region.cut([side * plane[0], side * plane[1], side * room])
         };
-        let [below, above] = [slope(low, low.slopes[1]), slope(high, high.slopes[0])];
-        let knot = |anchor: &Anchor, slope: Option<f64>| Knot {
-            z: anchor.z,
-            f: anchor.f,
-            slopes: [slope.unwrap_or(0.0); 2],
-        };
-        let ends = [knot(low, below), knot(high, above)];
-        if below.is_some() && above.is_some() {
-            return Some(Segment::between(ends[0], ends[1]));
+        let within = [0, 1].map(|side| self.tube.within(side, [low.z, high.z]));
+        for k in 0..COMPARED {
+            let bounds = within[k % 2];
+            let at = ((k as f64 + 0.5) * GOLDEN).fract() * bounds.len() as f64;
+            if bounds.get(at as usize).is_some_and(|bound| !cut(&mut region, bound, SIDES[k % 2])) {
+                return None;
+            }
         }
-        // What it passes through.
-        let other = |end: Knot, slope: Slope, towards: f64| match slope {
-            Slope::Meeting(part) => self.at_height(end.z + towards * part * height),
-            _ => end,
+        // Beside a level tip a segment goes on as the section does, and does not turn before its end; at a pole it
+        // leads away from the axis.
+        for (end, tip) in tips.into_iter().enumerate() {
+            let Some(tip) = tip.filter(|tip| (tip.level || tip.at.r == 0.0) && slopes[end].is_none()) else {
+                continue;
+            };
+            let mut along = [0.0; 2];
+            along[end] = -tip.leans;
+            if !region.cut([along[0], along[1], 0.0]) {
+                return None;
+            }
+        }
+        for (bounds, side) in within.into_iter().zip(SIDES) {
+            let step = bounds.len().div_ceil(CLOSER).max(1);
+            if !bounds.iter().step_by(step).all(|bound| cut(&mut region, bound, side)) {
+                return None;
+            }
+        }
+        let nearest = region.nearest();
+        let knot = |end: usize| Knot {
+            z: ends[end].z,
+            f: ends[end].f,
+            slopes: [slopes[end].unwrap_or(nearest[end]); 2],
         };
-        let between = [other(ends[0], low.slopes[1], 1.0), other(ends[1], high.slopes[0], -1.0)];
-        Segment::through([ends[0], between[0], between[1], ends[1]], [low.z, high.z])
+        let segment = Segment::between(knot(0), knot(1));
+        // Rounding of two neighboring ordinates to f32 turns a tangent by no more than this; the tangent itself by
+        // less.
+        let turned = |end: usize| {
+            let largest = segment.b.iter().fold(0.0, |b: f64, c| b.max(c.abs()));
+            3.0 * ULP * largest / (height * 2.0 * ends[end].f.sqrt())
+        };
+        let is_shared =
+            (0..2).all(|end| slopes[end].is_none() || ends[end].f == 0.0 || turned(end) <= MOST_TURNED);
+        (is_shared && segment.is_solid() && self.allows(low, high, &segment)).then_some(segment)
     }
 
-    /// The section at about a height; at its ends exactly.
-    fn at_height(&self, z: f64) -> Knot {
+    /// The section's squared radius at about a height; at its ends exactly.
+    fn at_height(&self, z: f64) -> f64 {
         let at = self.places.partition_point(|place| place.z < z).min(self.places.len() - 1);
-        let Place { z, f, slopes, .. } = self.places[at];
-        Knot { z, f, slopes }
+        self.places[at].f
     }
 
-    /// Whether the segment between two anchors lies between the parallels at some places.
-    fn allows(&self, low: &Anchor, high: &Anchor) -> bool {
-        let Some(segment) = self.segment(low, high) else { return false };
+    /// Whether a segment passes between the parallels where they are folded or gapped.
+    fn allows(&self, low: &Anchor, high: &Anchor, segment: &Segment) -> bool {
         let last = self.places.len() - 1;
-        // Beside a level tip it goes on as the section does, and does not turn before its end.
-        let [b0, b1, b2, b3] = segment.b;
-        let (bottom, top) = (&self.section.low, &self.section.high);
-        if low.at == 0 && bottom.level && (b1 - b0) * bottom.leans < 0.0
-            || high.at == last && top.level && (b3 - b2) * top.leans < 0.0
-        {
-            return false;
-        }
         let end = |anchor: &Anchor, is_end: bool, tip: &Tip, upper: bool| {
             is_end.then(|| Ray::new(tip, if anchor.step { tip.at.r } else { anchor.f.sqrt() }, upper))
         };
@@ -299,26 +321,16 @@ impl<'a> Search<'a> {
             end(high, high.at == last, &self.section.high, true),
         ];
         let curve = Curve { cubic: segment.cubic(), z: segment.z, rays, known: 0.2 * self.tolerance };
-        let places = &self.places[low.at..=high.at];
-        let steps = places.len() - 1;
-        let compared = steps.min(COMPARED);
-        // From the middle outwards and back, so that what fails fails early.
-        let all = (0..compared.max(1) - 1).all(|k| {
-            let k = 1 + (k * SHUFFLE + compared / 2) % (compared - 1);
-            self.is_between(&curve, &places[k * steps / compared])
-        });
-        let corners = self.corners.partition_point(|corner| *corner <= low.at)
-            ..self.corners.partition_point(|corner| *corner < high.at);
-        let closer = steps.div_ceil(CLOSER).max(1);
-        all && places.iter().step_by(closer).all(|place| self.is_between(&curve, place))
-            && self.corners[corners].iter().all(|corner| self.is_between(&curve, &self.places[*corner]))
-            && segment.is_solid()
+        let apart = &self.tube.apart;
+        let from = apart.partition_point(|place| place.at <= low.at);
+        let to = apart.partition_point(|place| place.at < high.at);
+        apart[from..to].iter().all(|place| self.is_between(&curve, place))
     }
 
-    /// Whether a curve passes between the parallels at a place.
-    fn is_between(&self, curve: &Curve, place: &Place) -> bool {
-        let [r, z] = place.normal;
-        [1.0, -1.0].iter().all(|side| {
+    /// Whether a curve passes between some points on both sides of a place that are not farther than the tolerance.
+    fn is_between(&self, curve: &Curve, apart: &Apart) -> bool {
+        let place = &self.places[apart.at];
+        SIDES.iter().zip(apart.d).all(|(side, [r, z])| {
             REACHES.iter().any(|reach| {
                 let by = side * reach * self.tolerance;
                 curve.is_beside(place.r + by * r, place.z + by * z, *side)
@@ -374,11 +386,12 @@ impl Curve {
     }
 }
 
-/// If there are more anchors than this, one is looked for no farther back than among the nearest 256 that were reached.
+/// If there are more anchors than this, one is looked for no farther back than among the nearest 256 that were
+/// reached.
 const FAR: usize = 20000;
 
-/// Has no divisor in common with any number of compared places less one up to [`COMPARED`].
-const SHUFFLE: usize = 17;
+/// The golden section's fractions fill an interval evenly, however many there are.
+const GOLDEN: f64 = 0.618_033_988_749_895;
 
 /// A section all of whose pieces are cubic in r² over height as they are: as many segments as it takes to have
 /// all of them exact.
@@ -432,28 +445,24 @@ mod tests {
     use super::*;
     use crate::{Piece, point, section::sections, walls::Wall};
 
-    /// The fewest segments of all chains of knots at every place, at nine offsets and with nine tilts at
+    /// The fewest segments of all chains of knots at every place, at nine offsets and with free slopes at
     /// the ends, by trying them all.
     fn exhaustive(search: &Search, most: usize) -> Option<usize> {
         let last = search.places.len() - 1;
-        let nine = |k: i32| f64::from(k - 4) / 4.0;
-        let end = |at: usize, k: i32| {
-            let Place { z, f, slopes, .. } = search.places[at];
-            let slopes = slopes.map(|slope| Slope::Tilted(slope, 20.0 * nine(k)));
-            Some(Anchor { at, z, f, slopes, step: false })
-        };
-        let anchor = |at: usize, k: i32| match at {
-            0 => end(at, k),
-            _ if at == last => end(at, k),
-            _ => search.knot(at, nine(k) * MOST_OFFSET),
-        };
-        let anchors: Vec<Anchor> =
-            (0..=last).step_by(SAMPLES).flat_map(|at| (0..9).filter_map(move |k| anchor(at, k))).collect();
+        let offset = |k: i32| f64::from(k - 4) / 4.0 * MOST_OFFSET;
+        let anchors = (0..=last).step_by(SAMPLES).flat_map(|at| {
+            let is_end = at == 0 || at == last;
+            let end = is_end.then(|| search.free(at, search.places[at].f, false));
+            end.into_iter()
+                .chain((0..9).filter(move |_| !is_end).filter_map(move |k| search.knot(at, offset(k))))
+        });
+        let anchors: Vec<Anchor> = anchors.collect();
         fn reaches(search: &Search, anchors: &[Anchor], from: &Anchor, segments: usize) -> bool {
             let last = search.places.len() - 1;
             let farther = anchors.iter().filter(|to| to.at > from.at && (segments > 1) == (to.at < last));
             farther.into_iter().any(|to| {
-                search.allows(from, to) && (segments == 1 || reaches(search, anchors, to, segments - 1))
+                search.segment(from, to).is_some()
+                    && (segments == 1 || reaches(search, anchors, to, segments - 1))
             })
         }
         let starts = || anchors.iter().filter(|anchor| anchor.at == 0);
@@ -480,8 +489,8 @@ mod tests {
             let wall = Wall { pieces: vec![Piece::bezier(curve)], rises: true };
             let section = &sections(&wall)[0];
             for tolerance in [0.1, 0.03, 0.01] {
-                let search = Search::new(section, tolerance, 10);
-                let fewest = fewest(section, tolerance, 10).expect("a fit").segments.len();
+                let search = Search::new(section, tolerance, 10, Joins::Smooth);
+                let fewest = fewest(section, tolerance, 10, Joins::Smooth).expect("a fit").segments.len();
                 let least = exhaustive(&search, fewest).expect("at most as many");
                 assert!(fewest <= least + 1, "{curve:?}, {tolerance}: {fewest} for {least}");
                 counts.push((fewest, least));

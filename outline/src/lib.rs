@@ -55,10 +55,12 @@ mod picture;
 mod piece;
 mod profiles;
 pub mod read;
+mod region;
 mod section;
 mod segment;
 mod solid;
 mod straighten;
+mod tube;
 mod walls;
 
 pub use axis::Half;
@@ -71,7 +73,7 @@ pub use picture::{PictureError, png};
 pub use piece::{Piece, Point, point};
 pub use profiles::Profiles;
 pub use segment::Segment;
-pub use solid::{Fit, body};
+pub use solid::{Fit, Joins, body};
 
 /// The most pieces that an outline may have.
 pub const MOST_PIECES: usize = 2000;

@@ -1,6 +1,7 @@
 //! Files: SVG drawings, tables, and points by name in JSON.
 
 mod form;
+mod part;
 mod path;
 mod place;
 mod shape;
@@ -11,7 +12,7 @@ mod unit;
 pub use place::{ReadError, Reason};
 pub use unit::Unit;
 
-use crate::{Half, Outline, Warning};
+use crate::{Half, Outline, OutlineError, Warning};
 use std::path::Path;
 
 /// What a file leaves open.
@@ -54,6 +55,17 @@ pub struct Drawing {
     pub warnings: Vec<Warning>,
     /// Where in the file it stands: line and column.
     pub place: (u32, u32),
+    /// Where in the file what it is drawn of stands.
+    marks: part::Marks,
+}
+
+impl Drawing {
+    /// An error of the outline with the file, and with the line and the column of what it names there: a command of a
+    /// path, a row of a table, a point in JSON. Of the outline itself, if it names no place.
+    pub fn error(&self, file: &Path, error: OutlineError) -> ReadError {
+        let (line, column) = self.marks.culprit(&error).unwrap_or(self.place);
+        ReadError { file: file.to_path_buf(), line, column, reason: error.into() }
+    }
 }
 
 /// The outline that a file holds, the only one or the one with the name asked for.

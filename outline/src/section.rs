@@ -135,8 +135,26 @@ pub(crate) struct Place {
     pub slopes: [f64; 2],
     /// The unit normal that points away from the axis; at a corner the direction between both normals.
     pub normal: [f64; 2],
+    /// The normals below and above: two at a corner.
+    pub normals: [[f64; 2]; 2],
     /// Whether there is a corner.
     pub is_corner: bool,
+}
+
+impl Place {
+    /// The direction at a part of the way from the normal below to that above.
+    pub fn between(&self, part: f64) -> [f64; 2] {
+        let [below, above] = self.normals.map(|[r, z]| z.atan2(r));
+        let (sin, cos) = (below + part * (above - below)).sin_cos();
+        [cos, sin]
+    }
+
+    /// Whether the place is a corner with a gap between the normals outside of it (+1), or inside (−1). On the other
+    /// side they cross.
+    pub fn is_gapped(&self, side: f64) -> bool {
+        let [[r0, z0], [r1, z1]] = self.normals;
+        self.is_corner && side * (r0 * z1 - z0 * r1) > 0.0
+    }
 }
 
 impl Section {
@@ -146,19 +164,42 @@ impl Section {
         let t = s - i as f64;
         let jet = self.pieces[i].jet(t);
         let own = normal(&self.pieces[i], t);
-        let mut place =
-            Place { s, r: jet.r, z: jet.z, f: jet.f, slopes: [jet.slope; 2], normal: own, is_corner: false };
+        let mut place = Place {
+            s,
+            r: jet.r,
+            z: jet.z,
+            f: jet.f,
+            slopes: [jet.slope; 2],
+            normal: own,
+            normals: [own; 2],
+            is_corner: false,
+        };
         if t == 0.0 && i > 0 {
             let below = &self.pieces[i - 1];
             if is_corner(below, &self.pieces[i]) {
-                let angles = [normal(below, 1.0), own].map(|[r, z]| z.atan2(r));
-                let (sin, cos) = (0.5 * (angles[0] + angles[1])).sin_cos();
-                place.normal = [cos, sin];
+                place.normals[0] = normal(below, 1.0);
+                place.normal = place.between(0.5);
                 place.slopes[0] = below.jet(1.0).slope;
                 place.is_corner = true;
             }
         }
         place
+    }
+
+    /// The direction in which a place is left to a side: the normal. Within some distance of a corner where normals
+    /// to that side cross it turns to the corner's direction.
+    pub fn direction(&self, place: &Place, side: f64, within: f64) -> [f64; 2] {
+        let i = (place.s.max(0.0) as usize).min(self.pieces.len() - 1);
+        let piece = &self.pieces[i];
+        let within = within.min(piece.start().distance(piece.end()));
+        let angle = |[r, z]: [f64; 2]| z.atan2(r);
+        let mut turn = 0.0;
+        for join in [i, i + 1].map(|s| self.place(s as f64)).iter().filter(|join| join.is_gapped(-side)) {
+            let weight = 1.0 - (place.r - join.r).hypot(place.z - join.z) / within;
+            turn += weight.max(0.0) * (angle(join.normal) - angle(place.normal));
+        }
+        let (sin, cos) = (angle(place.normal) + turn).sin_cos();
+        if turn == 0.0 { place.normal } else { [cos, sin] }
     }
 
     /// Places for knots, `count` of them or a few more, evenly in each piece's parameter and ever closer

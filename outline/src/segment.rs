@@ -29,31 +29,6 @@ impl Segment {
         Self { z: [low.z, high.z], b }
     }
 
-    /// The one between two heights that passes through four knots, which lie from the lowest up; two that are one
-    /// stand for its value and its slope, at either end the one towards the other. `None` where they are no four conditions.
-    pub(crate) fn through(knots: [Knot; 4], z: [f64; 2]) -> Option<Self> {
-        let at = knots.map(|knot| knot.z);
-        let mut differences = knots.map(|knot| knot.f);
-        // Newton's divided differences, in place.
-        for level in 1..4 {
-            for i in (level..4).rev() {
-                differences[i] = if at[i] == at[i - level] {
-                    knots[i].slopes[usize::from(i < 2)]
-                } else {
-                    (differences[i] - differences[i - 1]) / (at[i] - at[i - level])
-                };
-            }
-        }
-        let [d0, d1, d2, d3] = differences;
-        let knot = |z: f64| {
-            let [x0, x1, x2] = [z - at[0], z - at[1], z - at[2]];
-            let slope = d1 + d2 * (x0 + x1) + d3 * (x0 * x1 + x0 * x2 + x1 * x2);
-            Knot { z, f: d0 + x0 * (d1 + x1 * (d2 + x2 * d3)), slopes: [slope; 2] }
-        };
-        let segment = Self::between(knot(z[0]), knot(z[1]));
-        (segment.b.iter().all(|b| b.is_finite()) && at.is_sorted()).then_some(segment)
-    }
-
     /// Its numbers as they are printed: rounded to f32. The heights first, so that slopes stay what they are.
     pub(crate) fn rounded(&self) -> Self {
         let z = self.z.map(|z| f64::from(z as f32));

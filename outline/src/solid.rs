@@ -24,12 +24,25 @@ pub struct Fit {
     /// At how many places knots may lie between two places where the outline is level or on the axis. More of them
     /// take longer, as the square of their number, and may save a segment.
     pub places: usize,
+    /// How segments meet where the outline is smooth.
+    pub joins: Joins,
+}
+
+/// How segments meet where the outline is smooth. At its corners they meet as it does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Joins {
+    /// With the outline's tangent.
+    #[default]
+    Smooth,
+    /// With any tangents, within the tolerance of the outline: up to 1.4 times fewer
+    /// segments, whose joins shading shows as edges.
+    Free,
 }
 
 impl Fit {
-    /// Within a tolerance; no half chosen, 400 places.
+    /// Within a tolerance; no half chosen, 400 places, joins smooth.
     pub const fn within(tolerance: f64) -> Self {
-        Self { tolerance, half: None, places: 400 }
+        Self { tolerance, half: None, places: 400, joins: Joins::Smooth }
     }
 }
 
@@ -69,7 +82,7 @@ pub fn body(outline: &Outline, fit: &Fit) -> Result<Body, OutlineError> {
         .map(|chain| walls::runs(chain, fit.tolerance, &mut warnings))
         .collect::<Result<Vec<_>, _>>()?;
     if let Some(at) = crossing::find(&strands(&runs)) {
-        return Err(OutlineError::CrossesItself { height: at.z });
+        return Err(OutlineError::CrossesItself { height: at.z, radius: at.r });
     }
     let shape = shape(&runs);
     // What cutting in f64 and the snap to the axis may have moved.
@@ -95,7 +108,7 @@ pub fn body(outline: &Outline, fit: &Fit) -> Result<Body, OutlineError> {
 }
 
 /// The parts of the tolerance within which walls are fitted until they do not cross.
-const CLOSER: [f64; 4] = [1.0, 0.75, 0.5, 0.3];
+const CLOSER: [f64; 5] = [1.0, 0.85, 0.7, 0.5, 0.3];
 
 /// Of the tolerance, what fitting and straightening may use.
 const SHARE: f64 = 0.97;
@@ -328,8 +341,8 @@ fn fit_section(section: &Section, fit: &Fit) -> Result<Fitted, OutlineError> {
         high: Tip { step: false, ..section.high },
     };
     // If steps do not do, without.
-    let fitted = fit::fewest(section, fit.tolerance, fit.places)
-        .or_else(|_| fit::fewest(&without_steps, fit.tolerance, fit.places));
+    let fitted = fit::fewest(section, fit.tolerance, fit.places, fit.joins)
+        .or_else(|_| fit::fewest(&without_steps, fit.tolerance, fit.places, fit.joins));
     fitted.map_err(|s| OutlineError::OutOfReach {
         tolerance: fit.tolerance / SHARE,
         height: section.place(s).z,

@@ -24,8 +24,6 @@ fn syntax_by_line_and_column() {
     assert!((line, column) == (2, 20) && matches!(reason, Reason::Syntax(_)), "{line}:{column} {reason}");
     let (line, _, reason) = refused(&svg("<path d=\"M 0 0 L 5 5\">"), &options);
     assert!(line == 3 && matches!(reason, Reason::Syntax(_)), "{line} {reason}");
-    let (line, column, reason) = refused(&svg("<path d=\"M0 0L5 5M6 6L7 7\"/>"), &options);
-    assert_eq!((line, column, reason), (2, 18, Reason::SecondPart));
     let (line, column, reason) =
         refused(&svg("<g transform=\"rotate(1)scale(q)\"><path d=\"M0 0L5 5\"/></g>"), &options);
     assert!(line == 2 && column >= 15 && matches!(reason, Reason::Syntax(_)), "{line}:{column} {reason}");
@@ -48,6 +46,50 @@ fn several_paths_are_listed() {
     let drawing = read::svg(&text, &options("frame")).unwrap();
     assert_eq!(drawing.warnings.len(), 2);
     assert_eq!(drawing.warnings[0], Warning::LeftOut { what: "body".into() });
+}
+
+#[test]
+fn lines_of_one_path_are_joined_or_listed() {
+    let read = |d: &str, name: Option<&str>| {
+        let options = Options { name: name.map(String::from), ..Options::default() };
+        read::svg(&svg(&format!("<path id=\"p\" d=\"{d}\"/>")), &options)
+    };
+    // Three strokes, the second one drawn backwards: a triangle.
+    let joined = read("M0 0L5 5M3 9L5 5M3 9L0 0", None).unwrap().outline;
+    assert!(joined.is_closed() && joined.pieces().len() == 3, "{joined:?}");
+    // Two loops are two bodies, each with a name of its own.
+    let loops = "M0 0L5 5L0 5z\nm10 0l5 5h-5z";
+    let error = read(loops, None).unwrap_err();
+    assert_eq!((error.line, error.column), (3, 6));
+    assert_eq!(error.reason, Reason::Ambiguous(vec!["p#1".into(), "p#2".into()]));
+    let second = read(loops, Some("p#2")).unwrap();
+    assert_eq!(second.outline.bounds(), [point(10.0, 0.0), point(15.0, 5.0)]);
+    assert_eq!(second.name.as_deref(), Some("p#2"));
+    assert_eq!(second.warnings, [Warning::LeftOut { what: "p#1".into() }]);
+}
+
+#[test]
+fn errors_of_outlines_name_the_place_in_the_file() {
+    let refused = |drawing: Result<read::Drawing, read::ReadError>| {
+        let drawing = drawing.unwrap();
+        let error = body(&drawing.outline, &Fit::within(0.01)).unwrap_err();
+        let error = drawing.error("file".as_ref(), error);
+        (error.line, error.column, error.to_string())
+    };
+    // The axis is crossed by the command that begins the second line of the path.
+    let (line, column, text) =
+        refused(read::svg(&svg("<path d=\"M5 0 L5 5 3 7\nL-1 9H-2\"/>"), &Options::default()));
+    assert_eq!((line, column), (3, 1), "{text}");
+    assert!(text.starts_with("file:3:1: the outline crosses the axis at height 0.5"), "{text}");
+    let straight = Options { straight: true, ..Options::default() };
+    let table = read::table("height,radius\n0,1\n1,2\n2,1\n3,-1\n4,-1\n", &straight);
+    let (line, column, text) = refused(table);
+    assert_eq!((line, column), (4, 1), "{text}");
+    let form = "{\"a\": {\"kind\": \"polygon\", \"points\": [[1, 0], [2, 1]]},\n \"b\": {\"kind\": \"polygon\", \"points\": [[1, 0], [2, 2],\n  [1, 2], [2, 0]]}}";
+    let (line, column, text) =
+        refused(read::json(form, &Options { name: Some("b".into()), ..Options::default() }));
+    assert!((line, column) == (2, 38) || (line, column) == (3, 3), "{line}:{column} {text}");
+    assert!(text.contains("crosses itself at height 1, radius 1.5"), "{text}");
 }
 
 #[test]
@@ -160,7 +202,7 @@ fn what_crosses_itself_is_torn_or_empty() {
     let fit = Fit::within(0.01);
     let bow = Outline::polygon(&[point(1.0, 0.0), point(2.0, 2.0), point(1.0, 2.0), point(2.0, 0.0)], true)
         .unwrap();
-    assert_eq!(body(&bow, &fit), Err(OutlineError::CrossesItself { height: 1.0 }));
+    assert_eq!(body(&bow, &fit), Err(OutlineError::CrossesItself { height: 1.0, radius: 1.5 }));
     let torn = Outline::open(vec![
         Piece::line(point(1.0, 0.0), point(1.0, 1.0)),
         Piece::line(point(1.0, 1.1), point(1.0, 2.0)),

@@ -1,8 +1,8 @@
 //! A file in; a `static` and a picture out.
 
-use super::Reading;
+use super::{Reading, patience};
 use clap::Args;
-use embedded_lathe_outline::{Fit, Origin, body, png, read, source};
+use embedded_lathe_outline::{Fit, Joins, Origin, body, png, read, source};
 use std::{error::Error, fs, path::PathBuf, process::ExitCode};
 
 #[derive(Args)]
@@ -15,9 +15,13 @@ pub(super) struct Arguments {
     /// one.
     #[arg(long, conflicts_with = "pixels")]
     tolerance: Option<f64>,
-    /// The same as a quarter of a pixel, in a picture so many pixels wide that shows all of it.
+    /// The same as a quarter of a pixel in a picture that shows all of the solid and is this many pixels wide.
     #[arg(long, default_value_t = 240.0)]
     pixels: f64,
+    /// Let segments meet at an angle where the outline is smooth: up to 1.4 times fewer segments, whose joins shading
+    /// shows as edges.
+    #[arg(long)]
+    free_joins: bool,
     /// The name of the `static`; the file's, if it is not given.
     #[arg(long)]
     name: Option<String>,
@@ -51,18 +55,13 @@ impl Arguments {
         let [low, high] = drawing.outline.bounds();
         let size = (high.z - low.z).max(2.0 * high.r.abs().max(low.r.abs()));
         let tolerance = self.tolerance.unwrap_or(0.25 * size / self.pixels);
-        let fit = Fit { half: options.half, ..Fit::within(tolerance) };
-        let (line, column) = drawing.place;
-        let refused = |error| read::ReadError {
-            file: file.clone(),
-            line,
-            column,
-            reason: read::Reason::Outline(error),
-        };
-        let mut body = body(&drawing.outline, &fit).map_err(refused)?;
+        let joins = if self.free_joins { Joins::Free } else { Joins::Smooth };
+        let fit = Fit { half: options.half, joins, ..Fit::within(tolerance) };
+        let fitted = patience::with(format!("fitting {}", file.display()), || body(&drawing.outline, &fit));
+        let mut body = fitted.map_err(|error| drawing.error(file, error))?;
         body.warnings.splice(0..0, drawing.warnings);
         for warning in &body.warnings {
-            eprintln!("warning: {}:{line}: {warning}", file.display());
+            eprintln!("warning: {}:{}: {warning}", file.display(), drawing.place.0);
         }
         let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let name = self.name.clone().or(self.reading.path.clone()).unwrap_or_else(|| stem.clone());

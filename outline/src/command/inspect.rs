@@ -1,7 +1,8 @@
 //! What outlines a directory holds.
 
+use super::patience;
 use embedded_lathe_outline::{
-    Body, Fit, OutlineError, Warning, body,
+    Body, Fit, Joins, OutlineError, Warning, body,
     read::{Axis, Drawing, Options, ReadError, Reason, Unit, read_all},
 };
 use std::{fs, path::Path, process::ExitCode};
@@ -27,9 +28,9 @@ pub(crate) fn run(directory: &Path, options: &Options) -> ExitCode {
     });
     files.sort();
     println!(
-        "| file | bounds | walls | turns and ends at height | flats at height | segments at 10⁻²/10⁻³/10⁻⁴, proven error |"
+        "| file | bounds | walls | turns and ends at height | flats at height | segments at 10⁻²/10⁻³/10⁻⁴, proven error | the same with free joins |"
     );
-    println!("|---|---|--:|---|---|---|");
+    println!("|---|---|--:|---|---|---|---|");
     for file in files {
         lines(&file, options);
     }
@@ -63,21 +64,17 @@ fn lines(file: &Path, options: &Options) {
 fn line(file: &Path, number: usize, drawing: &Drawing, options: &Options, how: &str) {
     let [low, high] = drawing.outline.bounds();
     let size = (high.z - low.z).max(high.r - low.r);
-    let fits = TOLERANCES.map(|tolerance| {
-        let fit = Fit { half: options.half, ..Fit::within(tolerance * size) };
-        body(&drawing.outline, &fit)
+    let fits = [Joins::Smooth, Joins::Free].map(|joins| {
+        TOLERANCES.map(|tolerance| {
+            let fit = Fit { half: options.half, joins, ..Fit::within(tolerance * size) };
+            patience::with(format!("fitting {}", file.display()), || body(&drawing.outline, &fit))
+        })
     });
     let name = name(file, drawing.name.as_deref());
-    let shape = match &fits[1] {
+    let shape = match &fits[0][1] {
         Ok(Body { shape, .. }) => shape,
         Err(error) => {
-            let at = ReadError {
-                file: file.to_path_buf(),
-                line: drawing.place.0,
-                column: drawing.place.1,
-                reason: error.clone().into(),
-            };
-            refused(file, drawing.name.as_deref(), &at, how);
+            refused(file, drawing.name.as_deref(), &drawing.error(file, error.clone()), how);
             // An open outline with both ends on its left edge has its axis there.
             let ends = [
                 drawing.outline.pieces()[0].start(),
@@ -104,34 +101,37 @@ fn line(file: &Path, number: usize, drawing: &Drawing, options: &Options, how: &
         .map(|(z, [from, to])| format!("{} (r {}–{})", above(*z), short(*from), short(*to)))
         .collect();
     let flats = if flats.is_empty() { "–".into() } else { flats.join("; ") };
-    let counts = fits.iter().map(|fit| match fit {
-        Ok(body) => format!("{} ({:.1e})", body.segments(), body.error),
-        Err(error) => error.to_string(),
+    let counts = fits.each_ref().map(|fits| {
+        let of = |fit: &Result<Body, OutlineError>| match fit {
+            Ok(body) => format!("{} ({:.1e})", body.segments(), body.error),
+            Err(error) => error.to_string(),
+        };
+        fits.each_ref().map(of).join(" / ")
     });
-    let counts: Vec<String> = counts.collect();
     let least = if low.r.abs() > 1e-6 * size {
         format!("r {}–{}", short(low.r), short(high.r))
     } else {
         format!("r ≤ {}", short(high.r))
     };
     println!(
-        "| {name}{how} | {least}, height {}{} | {} | {} | {flats} | {} |",
+        "| {name}{how} | {least}, height {}{} | {} | {} | {flats} | {} | {} |",
         short(high.z - low.z),
         drawing.unit.symbol(),
         shape.walls,
         heights.join(", "),
-        counts.join(" / "),
+        counts[0],
+        counts[1],
     );
-    if let Ok(body) = &fits[1] {
+    if let Ok(body) = &fits[0][1] {
         for warning in body.warnings.iter().filter(|warning| !matches!(warning, Warning::LeftOut { .. })) {
-            println!("| {name} | at 10⁻³: {warning} | | | | |");
+            println!("| {name} | at 10⁻³: {warning} | | | | | |");
         }
     }
 }
 
 fn refused(file: &Path, outline: Option<&str>, error: &ReadError, how: &str) {
     let at = format!("{}:{}", error.line, error.column);
-    println!("| {}{how} | refused at {at}: {} | | | | |", name(file, outline), error.reason);
+    println!("| {}{how} | refused at {at}: {} | | | | | |", name(file, outline), error.reason);
 }
 
 fn name(file: &Path, outline: Option<&str>) -> String {

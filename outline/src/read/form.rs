@@ -15,6 +15,7 @@
 
 use super::{
     Drawing, Options, Unit,
+    part::Marks,
     place::{ReadError, Reason, Source},
 };
 use crate::{Outline, OutlineError, Piece, Point, point};
@@ -93,15 +94,37 @@ fn drawing(of: &Source, name: Option<String>, form: &Form) -> Result<Drawing, Re
         Some(name) => Unit::from_name(name)
             .ok_or_else(|| of.error(Reason::Syntax(format!("{name:?} is not a unit of length")), at))?,
     };
-    let outline = outline(form).map_err(|error| of.error(error.into(), at))?.scaled(unit.factor());
-    Ok(Drawing { name, outline, unit: unit.reduced(), warnings: Vec::new(), place: of.place(at) })
+    let all: Vec<Point> =
+        form.points.iter().chain(form.pieces.iter().flatten()).map(|p| form.point(p)).collect();
+    let places = points(&of.text[at..]).map(|in_form| of.place(at + in_form));
+    let marks = Marks::of_points(&all, places);
+    let outline = outline(form).map_err(|error| {
+        let (line, column) = marks.culprit(&error).unwrap_or(of.place(at));
+        of.error_in(error.into(), line, column)
+    })?;
+    let factor = unit.factor();
+    let (outline, marks) = (outline.scaled(factor), marks.placed(point(0.0, 0.0), [factor; 2]));
+    Ok(Drawing { name, outline, unit: unit.reduced(), warnings: Vec::new(), place: of.place(at), marks })
+}
+
+/// The bytes at which points begin, lists whose first element is a number.
+fn points(text: &str) -> impl Iterator<Item = usize> {
+    let is_point =
+        |at: &usize| text[at + 1..].trim_start().starts_with(|c: char| c == '-' || c.is_ascii_digit());
+    text.match_indices('[').map(|(at, _)| at).filter(is_point)
+}
+
+impl Form {
+    fn point(&self, [a, b]: &[f64; 2]) -> Point {
+        match self.order {
+            Order::RadiusHeight => point(*a, *b),
+            Order::HeightRadius => point(*b, *a),
+        }
+    }
 }
 
 fn outline(form: &Form) -> Result<Outline, OutlineError> {
-    let read = |p: &[f64; 2]| match form.order {
-        Order::RadiusHeight => point(p[0], p[1]),
-        Order::HeightRadius => point(p[1], p[0]),
-    };
+    let read = |p: &[f64; 2]| form.point(p);
     let points: Vec<Point> = form.points.iter().map(read).collect();
     match form.kind {
         Kind::CatmullRom => Outline::catmull_rom(&points),

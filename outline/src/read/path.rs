@@ -1,6 +1,6 @@
 //! Path data: every command, arcs kept as arcs, into pieces in the whole drawing's user units.
 
-use super::{place::Reason, shape::Placed};
+use super::{part::Part, place::Reason, shape::Placed};
 use crate::{Piece, Point, point};
 use svgtypes::{PathParser, PathSegment};
 
@@ -10,33 +10,50 @@ pub(crate) struct PathError {
     pub at: usize,
 }
 
-/// A path's pieces and whether it is closed.
-pub(crate) fn pieces(data: &str, placed: Placed) -> Result<(Vec<Piece>, bool), PathError> {
+/// The parts of a path, each from where the pen is put down to where it is lifted. `start` is the byte of the file at
+/// which the data begins.
+pub(crate) fn parts(data: &str, placed: Placed, start: usize) -> Result<Vec<Part>, PathError> {
     let mut pen = Pen {
         at: [0.0; 2],
         start: [0.0; 2],
         control: None,
         placed,
-        pieces: Vec::new(),
-        closed: false,
-        torn: false,
+        parts: Vec::new(),
+        byte: 0,
+        lifted: true,
     };
-    for segment in PathParser::from(data) {
-        match segment {
-            Ok(segment) => pen.draw(segment).map_err(|reason| PathError { reason, at: second_move(data) })?,
-            Err(error) => {
-                let at = position(&error).unwrap_or(data.len());
-                return Err(PathError { reason: Reason::Syntax(error.to_string()), at });
-            }
+    for (at, command) in commands(data) {
+        pen.byte = start + at;
+        // The parser wants data that begin with a move.
+        let is_move = command.starts_with(['M', 'm']);
+        let (text, before) = if is_move || at == 0 {
+            (command.into(), 0)
+        } else {
+            (format!("{BEFORE}{command}"), BEFORE.len())
+        };
+        for segment in PathParser::from(text.as_str()).skip(usize::from(before > 0)) {
+            let error = |error: svgtypes::Error| {
+                let at = at + position(&error).unwrap_or(text.len()).saturating_sub(before);
+                PathError { reason: Reason::Syntax(error.to_string()), at }
+            };
+            pen.draw(segment.map_err(error)?);
         }
     }
-    Ok((pen.pieces, pen.closed))
+    Ok(pen.parts)
 }
 
-/// Where the second part of the path begins: its second command to move.
-fn second_move(data: &str) -> usize {
-    let mut moves = data.char_indices().filter(|(_, c)| matches!(c, 'M' | 'm'));
-    moves.nth(1).map_or(0, |(at, _)| at)
+const BEFORE: &str = "M0 0 ";
+
+/// Path data in pieces that begin with a command's letter, each with where it begins.
+fn commands(data: &str) -> impl Iterator<Item = (usize, &str)> {
+    let is_command = |c: char| "MmLlHhVvCcSsQqTtAaZz".contains(c);
+    let letters: Vec<usize> = data.match_indices(is_command).map(|(at, _)| at).collect();
+    let first = letters.first().copied().unwrap_or(data.len());
+    // What stands before the first letter is for the parser to refuse.
+    let before = (!data[..first].trim().is_empty()).then_some(0);
+    let starts: Vec<usize> = before.into_iter().chain(letters).collect();
+    let ends: Vec<usize> = starts.iter().skip(1).copied().chain([data.len()]).collect();
+    starts.into_iter().zip(ends).map(|(start, end)| (start, &data[start..end]))
 }
 
 /// Where a parser's error is, in bytes, if it tells.
@@ -63,30 +80,23 @@ struct Pen {
     start: [f64; 2],
     control: Option<Control>,
     placed: Placed,
-    pieces: Vec<Piece>,
-    closed: bool,
-    /// Whether it was lifted and put down elsewhere.
-    torn: bool,
+    parts: Vec<Part>,
+    /// The byte of the file at which the command stands.
+    byte: usize,
+    /// Whether what is drawn next begins a part.
+    lifted: bool,
 }
 
 impl Pen {
-    fn draw(&mut self, segment: PathSegment) -> Result<(), Reason> {
+    fn draw(&mut self, segment: PathSegment) {
         let [x0, y0] = self.at;
         let origin = |abs: bool| if abs { [0.0; 2] } else { [x0, y0] };
         let from = |abs: bool, x: f64, y: f64| [origin(abs)[0] + x, origin(abs)[1] + y];
-        let draws = !matches!(segment, PathSegment::ClosePath { .. } | PathSegment::MoveTo { .. });
-        if draws && (self.closed || self.torn) {
-            return Err(Reason::SecondPart);
-        }
         let mut control = None;
         match segment {
             PathSegment::MoveTo { abs, x, y } => {
-                let to = from(abs, x, y);
-                if self.pieces.is_empty() {
-                    (self.at, self.start) = (to, to);
-                } else {
-                    self.torn |= to != self.at;
-                }
+                self.at = from(abs, x, y);
+                (self.start, self.lifted) = (self.at, true);
             }
             PathSegment::LineTo { abs, x, y } => self.line(from(abs, x, y)),
             PathSegment::HorizontalLineTo { abs, x } => self.line([origin(abs)[0] + x, y0]),
@@ -122,15 +132,28 @@ impl Pen {
                 self.arc([rx, ry], x_axis_rotation, large_arc, sweep, from(abs, x, y));
             }
             PathSegment::ClosePath { .. } => {
-                if !self.closed && self.at != self.start {
-                    self.line(self.start);
+                if !self.lifted {
+                    if self.at != self.start {
+                        self.line(self.start);
+                    }
+                    if let Some(part) = self.parts.last_mut() {
+                        part.closed = true;
+                    }
                 }
-                self.closed = !self.pieces.is_empty();
-                self.at = self.start;
+                (self.at, self.lifted) = (self.start, true);
             }
         }
         self.control = control;
-        Ok(())
+    }
+
+    fn push(&mut self, pieces: Vec<Piece>) {
+        if core::mem::take(&mut self.lifted) {
+            self.parts.push(Part::default());
+        }
+        if let Some(part) = self.parts.last_mut() {
+            part.at.resize(part.at.len() + pieces.len(), self.byte);
+            part.pieces.extend(pieces);
+        }
     }
 
     fn line(&mut self, to: [f64; 2]) {
@@ -141,7 +164,7 @@ impl Pen {
         let points = core::iter::once(&self.at).chain(controls);
         let points: Vec<Point> = points.map(|p| self.placed.point(*p)).collect();
         self.at = controls[controls.len() - 1];
-        self.pieces.push(Piece::bezier(&points));
+        self.push(vec![Piece::bezier(&points)]);
     }
 
     fn arc(&mut self, radii: [f64; 2], rotation: f64, large_arc: bool, sweep: bool, to: [f64; 2]) {
@@ -177,7 +200,7 @@ impl Pen {
             let start = pieces[last].start();
             pieces[last].weld(start, end);
         }
-        self.pieces.append(&mut pieces);
+        self.push(pieces);
         self.at = to;
     }
 }

@@ -52,9 +52,6 @@ pub enum Reason {
     /// The element that gives the axis is no upright line.
     #[error("the element with the id \"axis\" is not an upright line")]
     Axis,
-    /// A path has several parts.
-    #[error("the path has a second part, which begins here: draw each part as a path of its own")]
-    SecondPart,
     /// Something that is not read.
     #[error("{0} is not read")]
     Unsupported(String),

@@ -1,6 +1,7 @@
 //! Paths and basic shapes of an SVG document, and where its transforms put them.
 
 use super::{
+    part::{Part, joined},
     path,
     place::{ReadError, Reason, Source},
     unit,
@@ -57,8 +58,11 @@ pub(crate) fn all<'a>(root: Node<'a, 'a>) -> Vec<Node<'a, 'a>> {
     root.descendants().filter(|node| node.is_element() && is_shape(node) && !is_apart(node)).collect()
 }
 
-/// A shape's pieces and whether it is closed.
-pub(crate) fn pieces(of: &Source, shape: Node) -> Result<(Vec<Piece>, bool), ReadError> {
+/// The unbroken lines of a shape: one of most. A path's that meet end to end are one; a shape without a size has
+/// none.
+pub(crate) fn parts(of: &Source, shape: Node) -> Result<Vec<Part>, ReadError> {
+    let at = shape.range().start;
+    let one = |pieces: Vec<Piece>, closed: bool| joined(vec![Part::at(pieces, closed, at)]);
     let placed = Placed::new(of, shape)?;
     let length = |name: &str| length(of, shape, name);
     let or_zero = |name: &str| Ok(length(name)?.unwrap_or(0.0));
@@ -69,13 +73,14 @@ pub(crate) fn pieces(of: &Source, shape: Node) -> Result<(Vec<Piece>, bool), Rea
     };
     Ok(match shape.tag_name().name() {
         "path" => {
-            let Some(data) = shape.attribute_node("d") else { return Ok((Vec::new(), false)) };
+            let Some(data) = shape.attribute_node("d") else { return Ok(Vec::new()) };
             let start = data.range_value().start;
-            path::pieces(data.value(), placed).map_err(|error| of.error(error.reason, start + error.at))?
+            let parts = path::parts(data.value(), placed, start);
+            joined(parts.map_err(|error| of.error(error.reason, start + error.at))?)
         }
         "line" => {
             let [from, to] = [[or_zero("x1")?, or_zero("y1")?], [or_zero("x2")?, or_zero("y2")?]];
-            (polygon(&[from, to], false), false)
+            one(polygon(&[from, to], false), false)
         }
         name @ ("polyline" | "polygon") => {
             let data = shape.attribute("points").unwrap_or("");
@@ -86,7 +91,7 @@ pub(crate) fn pieces(of: &Source, shape: Node) -> Result<(Vec<Piece>, bool), Rea
                     shape.attribute_node("points").map_or(shape.range().start, |a| a.range_value().start);
                 return Err(of.error(Reason::Syntax("not a list of points".into()), at));
             }
-            (polygon(&points, name == "polygon"), name == "polygon")
+            one(polygon(&points, name == "polygon"), name == "polygon")
         }
         "rect" => {
             let [x, y, w, h] = [or_zero("x")?, or_zero("y")?, or_zero("width")?, or_zero("height")?];
@@ -106,9 +111,10 @@ pub(crate) fn pieces(of: &Source, shape: Node) -> Result<(Vec<Piece>, bool), Rea
                     2.0 * ry_or - h,
                     -ry_or,
                 );
-                path::pieces(&data, placed).map_err(|error| of.error(error.reason, shape.range().start))?
+                let parts = path::parts(&data, placed, 0).map_err(|error| of.error(error.reason, at))?;
+                parts.into_iter().flat_map(|part| one(part.pieces, part.closed)).collect()
             } else {
-                (polygon(&[[x, y], [x + w, y], [x + w, y + h], [x, y + h]], true), true)
+                one(polygon(&[[x, y], [x + w, y], [x + w, y + h], [x, y + h]], true), true)
             }
         }
         name @ ("circle" | "ellipse") => {
@@ -121,12 +127,12 @@ pub(crate) fn pieces(of: &Source, shape: Node) -> Result<(Vec<Piece>, bool), Rea
                 point(end.r - center.r, end.z - center.z)
             };
             if !(rx > 0.0 && ry > 0.0) {
-                return Ok((Vec::new(), true));
+                return Ok(Vec::new());
             }
             let (a, b) = (radius([cx + rx, cy]), radius([cx, cy + ry]));
-            (Piece::arc(center, a, b, 0.0, core::f64::consts::TAU), true)
+            one(Piece::arc(center, a, b, 0.0, core::f64::consts::TAU), true)
         }
-        _ => (Vec::new(), false),
+        _ => Vec::new(),
     })
 }
 

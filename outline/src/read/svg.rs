@@ -2,6 +2,7 @@
 
 use super::{
     Axis, Drawing, Options, Unit,
+    part::{Marks, Part},
     place::{ReadError, Reason, Source},
     shape, unit,
 };
@@ -15,34 +16,65 @@ const AXIS: &str = "axis";
 
 pub(crate) fn one(of: &Source, options: &Options) -> Result<Drawing, ReadError> {
     let document = parse(of)?;
-    let shapes = shapes(&document);
-    let name = |shape: &Node| shape.attribute("id").map_or_else(|| unnamed(of, shape), str::to_string);
+    let shapes = shapes(of, &document);
     let shape = match &options.name {
-        Some(wanted) => shapes.iter().find(|shape| name(shape) == *wanted).ok_or_else(|| {
-            of.error(Reason::NotFound { name: wanted.clone(), names: shapes.iter().map(name).collect() }, 0)
+        Some(wanted) => shapes.iter().find(|shape| shape.name(of) == *wanted).ok_or_else(|| {
+            let names = shapes.iter().map(|shape| shape.name(of)).collect();
+            of.error(Reason::NotFound { name: wanted.clone(), names }, 0)
         })?,
         None => match shapes.as_slice() {
             [] => return Err(of.error(Reason::NoShape, document.root_element().range().start)),
             [shape] => shape,
             [_, second, ..] => {
-                let names = shapes.iter().map(name).collect();
-                return Err(of.error(Reason::Ambiguous(names), second.range().start));
+                let names = shapes.iter().map(|shape| shape.name(of)).collect();
+                return Err(of.error(Reason::Ambiguous(names), second.start()));
             }
         },
     };
-    let mut drawing = drawing(of, &document, *shape, options)?;
-    let others = shapes.iter().filter(|other| *other != shape);
-    drawing.warnings.extend(others.map(|other| Warning::LeftOut { what: name(other) }));
+    let mut drawing = drawing(of, &document, shape, options)?;
+    let others = shapes.iter().map(|other| other.name(of)).filter(|other| *other != shape.name(of));
+    drawing.warnings.extend(others.map(|what| Warning::LeftOut { what }));
     Ok(drawing)
 }
 
 pub(crate) fn all(of: &Source, options: &Options) -> Result<Vec<Result<Drawing, ReadError>>, ReadError> {
     let document = parse(of)?;
-    let shapes = shapes(&document);
+    let shapes = shapes(of, &document);
     if shapes.is_empty() {
         return Err(of.error(Reason::NoShape, document.root_element().range().start));
     }
-    Ok(shapes.into_iter().map(|shape| drawing(of, &document, shape, options)).collect())
+    Ok(shapes.iter().map(|shape| drawing(of, &document, shape, options)).collect())
+}
+
+/// One unbroken line of an element, or an element that is none.
+struct Shape<'a> {
+    element: Node<'a, 'a>,
+    line: Result<Part, ReadError>,
+    /// Of several lines of the element, which one this is, from 1.
+    number: Option<usize>,
+}
+
+impl Shape<'_> {
+    /// Its element's id, or what the element is and in which line; with its number, if the element has several lines.
+    fn name(&self, of: &Source) -> String {
+        let element = self.element.attribute("id").map_or_else(
+            || {
+                format!(
+                    "{} in line {}",
+                    self.element.tag_name().name(),
+                    of.place(self.element.range().start).0
+                )
+            },
+            str::to_string,
+        );
+        self.number.map_or(element.clone(), |number| format!("{element}#{number}"))
+    }
+
+    /// The byte of the file at which it begins.
+    fn start(&self) -> usize {
+        let of_line = self.line.as_ref().ok().filter(|_| self.number.is_some_and(|number| number > 1));
+        of_line.and_then(|line| line.at.first().copied()).unwrap_or(self.element.range().start)
+    }
 }
 
 fn parse<'a>(of: &Source<'a>) -> Result<Document<'a>, ReadError> {
@@ -55,41 +87,44 @@ fn parse<'a>(of: &Source<'a>) -> Result<Document<'a>, ReadError> {
 }
 
 /// All that is drawn, except the axis.
-fn shapes<'a>(document: &'a Document<'a>) -> Vec<Node<'a, 'a>> {
-    let mut shapes = shape::all(document.root());
-    shapes.retain(|shape| shape.attribute("id") != Some(AXIS));
-    shapes
+fn shapes<'a>(of: &Source, document: &'a Document<'a>) -> Vec<Shape<'a>> {
+    let elements = shape::all(document.root()).into_iter();
+    let lines = |element: Node<'a, 'a>| {
+        let lines: Vec<Result<Part, ReadError>> = match shape::parts(of, element) {
+            Ok(parts) if parts.is_empty() => vec![Ok(Part::default())],
+            Ok(parts) => parts.into_iter().map(Ok).collect(),
+            Err(error) => vec![Err(error)],
+        };
+        let several = lines.len() > 1;
+        lines.into_iter().zip(1..).map(move |(line, i)| Shape { element, line, number: several.then_some(i) })
+    };
+    elements.filter(|element| element.attribute("id") != Some(AXIS)).flat_map(lines).collect()
 }
 
-/// What an element without an id is called: by its line.
-fn unnamed(of: &Source, shape: &Node) -> String {
-    format!("{} in line {}", shape.tag_name().name(), of.place(shape.range().start).0)
-}
-
-fn drawing(of: &Source, document: &Document, shape: Node, options: &Options) -> Result<Drawing, ReadError> {
-    let at = shape.range().start;
-    if let Some(nested) = shape
-        .ancestors()
-        .skip(1)
-        .find(|node| node.tag_name().name() == "svg" && *node != document.root_element())
-    {
-        return Err(
-            of.error(Reason::Unsupported("an svg element inside another".into()), nested.range().start)
-        );
+fn drawing(of: &Source, document: &Document, shape: &Shape, options: &Options) -> Result<Drawing, ReadError> {
+    let is_nested = |node: &Node| node.tag_name().name() == "svg" && *node != document.root_element();
+    if let Some(nested) = shape.element.ancestors().skip(1).find(is_nested) {
+        let what = Reason::Unsupported("an svg element inside another".into());
+        return Err(of.error(what, nested.range().start));
     }
-    let (pieces, closed) = shape::pieces(of, shape)?;
-    let error = |error: crate::OutlineError| of.error(error.into(), at);
-    let outline = if closed { Outline::closed(pieces) } else { Outline::open(pieces) }.map_err(error)?;
+    let Part { pieces, at, closed } = shape.line.clone()?;
+    let marks = Marks::of_pieces(&pieces, at.iter().map(|at| of.place(*at)));
+    let outline = if closed { Outline::closed(pieces) } else { Outline::open(pieces) };
+    let outline = outline.map_err(|error| {
+        let (line, column) = marks.culprit(&error).unwrap_or(of.place(shape.start()));
+        of.error_in(error.into(), line, column)
+    })?;
     let axis = match options.axis {
         Axis::At(x) => x,
         Axis::LeftEdge => outline.bounds()[0].r,
         Axis::Drawn => drawn_axis(of, document)?.unwrap_or(0.0),
     };
     let ([across, along], unit) = scale(of, document.root_element(), options.unit)?;
-    let lowest = outline.bounds()[0].z;
-    let outline = outline.moved(point(-axis, -lowest)).stretched(across, along);
-    let name = shape.attribute("id").map(str::to_string);
-    Ok(Drawing { name, outline, unit, warnings: Vec::new(), place: of.place(at) })
+    let by = point(-axis, -outline.bounds()[0].z);
+    let outline = outline.moved(by).stretched(across, along);
+    let marks = marks.placed(by, [across, along]);
+    let name = shape.element.attribute("id").map(|_| shape.name(of));
+    Ok(Drawing { name, outline, unit, warnings: Vec::new(), place: of.place(shape.start()), marks })
 }
 
 /// The x of the element that is the axis, if there is one.
@@ -98,8 +133,8 @@ fn drawn_axis(of: &Source, document: &Document) -> Result<Option<f64>, ReadError
         return Ok(None);
     };
     let refused = || of.error(Reason::Axis, element.range().start);
-    let (pieces, _) = shape::pieces(of, element)?;
-    let outline = Outline::open(pieces).map_err(|_| refused())?;
+    let [line] = shape::parts(of, element)?.try_into().map_err(|_| refused())?;
+    let outline = Outline::open(line.pieces).map_err(|_| refused())?;
     let [low, high] = outline.bounds();
     let upright = high.r - low.r <= 1e-6 * (high.z - low.z);
     if upright { Ok(Some(0.5 * (low.r + high.r))) } else { Err(refused()) }

@@ -2,6 +2,7 @@
 
 use super::{
     Drawing, Options, Unit,
+    part::Marks,
     place::{ReadError, Reason, Source},
 };
 use crate::{Outline, Point, point};
@@ -16,6 +17,7 @@ pub(crate) fn one(of: &Source, options: &Options) -> Result<Drawing, ReadError> 
         .trim(csv::Trim::All)
         .from_reader(of.text.as_bytes());
     let mut points: Vec<Point> = Vec::new();
+    let mut places = Vec::new();
     let mut radius_first = false;
     for (row, record) in reader.records().enumerate() {
         let record = record.map_err(|error| {
@@ -46,11 +48,14 @@ pub(crate) fn one(of: &Source, options: &Options) -> Result<Drawing, ReadError> 
             })
         };
         let (first, second) = (number(0)?, number(1)?);
+        places.push(of.place(at));
         points.push(if radius_first { point(first, second) } else { point(second, first) });
     }
     let outline = if options.straight { Outline::polygon(&points, false) } else { Outline::smooth(&points) };
     let outline = outline.map_err(|error| of.error(error.into(), 0))?;
     let unit = options.unit.unwrap_or(Unit::None);
-    let outline = outline.scaled(unit.factor());
-    Ok(Drawing { name: None, outline, unit: unit.reduced(), warnings: Vec::new(), place: (1, 1) })
+    let factor = unit.factor();
+    let marks = Marks::of_points(&points, places.into_iter()).placed(point(0.0, 0.0), [factor; 2]);
+    let outline = outline.scaled(factor);
+    Ok(Drawing { name: None, outline, unit: unit.reduced(), warnings: Vec::new(), place: (1, 1), marks })
 }

@@ -66,8 +66,8 @@ fn every_way_gives_the_same_pixels() {
             rows.iter().zip(&all).for_each(|(&a, &b)| compared.add(a, b, &format!("rows by {parts:?}")));
         }
         // Through memory of any length: to the last bit what parts of rows of that length give. None is a run
-        // of 40.
-        for (room, part) in [(0, 40), (1, 1), (37, 37), (whole, whole), (1000, whole)] {
+        // of 80, 160 bytes.
+        for (room, part) in [(0, 80), (1, 1), (37, 37), (whole, whole), (1000, whole)] {
             let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(width, height));
             scene.draw_by_rows(&mut display, &mut vec![Rgb565::BLACK; room]).unwrap();
             for (i, pixel) in rows(scene, width, height, &[part], Rgb565::BLACK).into_iter().enumerate() {

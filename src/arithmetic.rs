@@ -1,12 +1,12 @@
 //! The *arithmetic* in which the pixels of a row are computed: floats, or integers where the machine has no
 //! floating-point unit. It is chosen here, for the whole crate.
 //!
-//! An f32 addition takes an FPU one instruction, and a machine without one some 80; an integer product takes
-//! one on both. So what is computed for every pixel, from the point where its ray meets the wall to its share
-//! of light, exists twice: [`floats`] and [`integers`], and so do the loop that tracks a root and the bounds of
-//! a probe. What is computed once for a row, and single rays, are floats everywhere. On a machine with an FPU
-//! the integers would take more instructions, because each product is followed by a shift and each range by a
-//! comparison.
+//! An f32 addition takes an FPU one instruction, and a machine without an FPU some 80. A product of integers
+//! takes one instruction on both, except on ARMv6-M. So what is computed for every pixel, from the point
+//! where its ray meets the wall to its share of light, exists twice: [`floats`] and [`integers`], and so do
+//! the loop that tracks a root and the bounds of a probe. What is computed once for a row, and single rays,
+//! are floats everywhere. On a machine with an FPU the integers would take more instructions, because many of
+//! their products are followed by a shift, and because they need tests of ranges that floats do not.
 //!
 //! The tests compare both with single rays. Each gives the same bits on every machine; the two differ by one
 //! *shade* of a color channel in fewer than one pixel of 10 000. A build can choose by `--cfg

@@ -2,7 +2,8 @@
 
 use super::integers::high;
 
-/// A number from 0 to 1 in fixed point, in units of 2⁻³⁰: it is the factor of a signed product.
+/// A number from 0 to 1 in fixed point, in units of 2⁻³⁰. It is a signed integer, since it is multiplied as
+/// one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Share(i32);
 
@@ -12,8 +13,8 @@ impl Share {
     /// How many units make the number 1.
     pub const UNITS: f32 = 1_073_741_824.0;
 
-    /// The share of that many units, rounded down; there must be less than 2³¹. A negative number and NaN give
-    /// the share 0.
+    /// The share of that many units, rounded down. There must be fewer than 2³¹; a negative number and NaN
+    /// give the share 0.
     #[inline(always)]
     pub const fn new(units: f32) -> Self {
         Self(units as u32 as i32)
@@ -44,13 +45,14 @@ impl Share {
         Self(if units < 1 << 30 { units as i32 } else { 1 << 30 })
     }
 
-    /// The sum of this share and another.
+    /// The sum of this share and another, which must be less than 2.
     #[inline(always)]
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 + other.0)
     }
 
-    /// A quarter of this share of a number below 2³¹, rounded down: the high word of a product.
+    /// A quarter of this share of a number, rounded down: the high word of a product. The number must be less
+    /// than 2³¹.
     #[inline(always)]
     pub const fn quarter_of(self, number: u32) -> u32 {
         high(number as i32, self.0) as u32

@@ -2,22 +2,23 @@
 
 use super::root_of_quarter;
 
-/// A number to divide by: its inverse.
+/// A number to divide by, held as its inverse. Zero counts as 1.
 #[derive(Clone, Copy)]
 pub(crate) struct Divisor {
-    /// 2⁶³ over the magnitude of the divisor after that is shifted `left`, so that its highest bit is bit 63,
-    /// and its lower half is cut off. It is from 2³¹ to 2³².
+    /// 2⁶³ over the upper word of the divisor's magnitude, after a shift by `left` that makes its highest bit
+    /// bit 63. So that word is from 2³¹ to 2³², and this number, too.
     inverse: u32,
     left: i32,
     is_negative: bool,
 }
 
-/// The largest quotient: larger ones, and those by zero, are this.
+/// The largest magnitude of a quotient: in place of a larger one this is returned, with its sign.
 pub(crate) const MOST_QUOTIENT: i32 = 1 << 30;
 
 impl Divisor {
-    /// Cost: a division of 32-bit integers and two products. The inverse is within 2⁻²⁸ of itself: the quotient
-    /// that the search begins with is within 2⁻¹⁴·⁴, and a step of Newton's method squares that.
+    /// Computes the inverse of a divisor, by one division of 32-bit integers and two products. Its relative
+    /// error is 2⁻²⁸ at most: that of the division is 2⁻¹⁴·⁴, since it has half of the divisor's bits, and a
+    /// Newton step squares it.
     #[inline(never)]
     pub fn new(divisor: i64) -> Self {
         let magnitude = divisor.unsigned_abs().max(1);
@@ -29,7 +30,8 @@ impl Divisor {
         Self { inverse: inverse as u32, left: left as i32, is_negative: divisor < 0 }
     }
 
-    /// A number over the divisor, in units of 2^−`bits`, within 2⁻²⁷ of itself and a unit.
+    /// A number over the divisor, in units of 2^−`bits`, at most [`MOST_QUOTIENT`] in magnitude. The error is
+    /// at most 2⁻²⁷ of the quotient, and a unit.
     #[inline(never)]
     pub fn of(&self, number: i64, bits: i32) -> i32 {
         let magnitude = number.unsigned_abs();
@@ -45,7 +47,8 @@ impl Divisor {
     }
 }
 
-/// The root of a number below 2⁶⁰, within 2⁻²³ of itself and a unit; zero for a negative number.
+/// The root of a number below 2⁶⁰; zero for a negative number. The error is at most 2⁻²³ of the root, and a
+/// unit.
 #[inline(never)]
 pub(crate) fn square_root(square: i64) -> i32 {
     if square <= 0 {
@@ -58,8 +61,8 @@ pub(crate) fn square_root(square: i64) -> i32 {
     root >> (left / 2 - 1)
 }
 
-/// Four numbers in fewer bits: none exceeds 2²⁸ then. The second value is how many bits each was shifted to
-/// the right, rounded down.
+/// Four numbers, all shifted to the right by so many bits that none exceeds 2²⁸ in magnitude, and rounded
+/// down; and how many bits these are.
 #[inline(never)]
 pub(crate) fn narrowed(numbers: [i64; 4]) -> ([i32; 4], u32) {
     let most = numbers.iter().fold(0, |most, number| most | number.unsigned_abs());

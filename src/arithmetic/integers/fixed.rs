@@ -9,9 +9,9 @@ pub(crate) const fn high(a: i32, b: i32) -> i32 {
     ((a as i64 * b as i64) >> 32) as i32
 }
 
-/// The high word of a signed product: `a·b/2³²`, rounded down. ARMv6-M multiplies to
-/// 32 bits only; `cfg` shows which Arm core is one by its lack of atomic exchanges. Four products of halves give the same bits in
-/// half of the time that the compiler's 64-bit product takes there.
+/// The high word of a signed product: `a·b/2³²`, rounded down. On ARMv6-M a product has 32 bits only; there
+/// four products of halves give the same bits in half of the time that the compiler's 64-bit product takes.
+/// `cfg` shows by the lack of atomic exchanges that an Arm core is an ARMv6-M.
 // Not `inline(always)`: in a build for size, flash should contain it only once.
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 #[inline]
@@ -23,14 +23,14 @@ pub(crate) const fn high(a: i32, b: i32) -> i32 {
     a1 * b1 + (middle >> 16) + (rest >> 16)
 }
 
-/// The square of a number.
+/// The square of a number, all 64 bits of it.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
 pub(crate) const fn wide_square(x: i32) -> u64 {
     (x as i64 * x as i64) as u64
 }
 
-/// The square of a number, by its halves on ARMv6-M, see [`high`].
+/// The square of a number, all 64 bits of it: by the number's halves on ARMv6-M, as in [`high`].
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 #[inline]
 pub(crate) const fn wide_square(x: i32) -> u64 {
@@ -39,14 +39,14 @@ pub(crate) const fn wide_square(x: i32) -> u64 {
     (((x1 * x1) as u64) << 32 | (x0 * x0) as u64) + (((x1 * x0) as u64) << 17)
 }
 
-/// The sum of the products of two pairs.
+/// The scalar product of two vectors of two components.
 #[inline(never)]
 pub(crate) const fn dot([ax, ay]: [i32; 2], [bx, by]: [i32; 2]) -> i64 {
     ax as i64 * bx as i64 + ay as i64 * by as i64
 }
 
-/// The number x in units of 2^−`bits`, rounded to the nearest. Beyond the range of `i32` it is ±`i32::MAX`;
-/// so are infinity and NaN.
+/// The number x in units of 2^−`bits`, rounded to the nearest; a half is rounded away from zero. What is
+/// beyond the range of `i32`, infinity and NaN included, becomes `i32::MAX` with the sign of x.
 #[inline(never)]
 pub(crate) const fn fixed(x: f32, bits: i32) -> i32 {
     let raw = x.to_bits();
@@ -66,7 +66,8 @@ pub(crate) const fn fixed(x: f32, bits: i32) -> i32 {
     if x.is_sign_negative() { -magnitude } else { magnitude }
 }
 
-/// The number x in units of 2^−`bits`, its magnitude rounded down. Beyond 2⁶¹ units it is ±2⁶¹ at least.
+/// The number x in units of 2^−`bits`, its magnitude rounded down. In place of a magnitude beyond 2⁶¹ units
+/// any of 2⁶¹ or more may be returned, with the sign of x.
 // As in `fixed`, the mantissa of zero and of a subnormal x is below half a unit.
 #[inline(never)]
 pub(crate) fn wide(x: f32, bits: i32) -> i64 {
@@ -76,7 +77,7 @@ pub(crate) fn wide(x: f32, bits: i32) -> i64 {
     if x.is_sign_negative() { -magnitude } else { magnitude }
 }
 
-/// A number times 2^left, rounded down. The result must be in range.
+/// A number times 2^`left`, rounded down. The result must be in the range of `i64`.
 #[inline(never)]
 pub(crate) const fn shifted(x: i64, left: i32) -> i64 {
     if left >= 0 { x << (left & 63) } else { x >> (if left > -63 { -left } else { 63 }) }
@@ -89,7 +90,7 @@ pub(crate) fn fixed_vector(v: F32x3, bits: i32) -> [i32; 3] {
     [fixed(v.x, bits), fixed(v.y, bits), fixed(v.z, bits)]
 }
 
-/// The least e with |x| < 2^e, for normal x.
+/// The least e with |x| < 2^e, for normal x; −126 for zero and subnormal x.
 #[inline(always)]
 pub(crate) const fn exponent(x: f32) -> i32 {
     (x.to_bits() >> 23 & 0xff) as i32 - 126

@@ -8,13 +8,13 @@ pub(crate) const fn square([x, y, z]: [i32; 3]) -> u64 {
     wide_square(x) + wide_square(y) + wide_square(z)
 }
 
-/// Returns 1/√x in units of 2⁻²⁹, for x from 1/15 to 1 in units of 2⁻³⁰, within 2⁻²⁴ of itself. `y` is a guess,
-/// also in units of 2⁻²⁹: the nearer it is, the sooner the result is found.
+/// Returns 1/√x, in units of 2⁻²⁹, with a relative error of at most 2⁻²⁴. x is from 1/15 to 1, in units of
+/// 2⁻³⁰. `y` is a guess of the result, in its units: the nearer it is, the sooner the result is found.
 ///
-/// A Newton step is `y ← y + y·r/2` with `r = 1 − x·y²`, and leaves an r of 3/4 of its square. The Newton
-/// step with |r| ≤ 2⁻¹² is the last: it leaves 3/8·2⁻²⁴ of y, and rounding less than 2⁻²⁵. If x·y² is more
-/// than 2, the guess is replaced by 1, which is never too large; from there the result is found in nine
-/// Newton steps.
+/// A Newton step is `y ← y + y·r/2` with the residual `r = 1 − x·y²`; it makes the residual 3/4 of its
+/// square. The first one with |r| ≤ 2⁻¹² is the last: the relative error that it leaves in y is 3/8·2⁻²⁴, and
+/// rounding adds less than 2⁻²⁵. If x·y² is more than 2, Newton's method may diverge: then the guess is
+/// replaced by 1, which is never too large, and from which nine steps lead to the result.
 #[inline(always)]
 pub(crate) fn inverse_root(x: i32, mut y: i32) -> i32 {
     const ONE: i32 = 1 << 25;

@@ -22,8 +22,8 @@ pub(crate) struct Rays {
 }
 
 impl Numbers {
-    /// The rays of a part of a row with that many pixels. `ray` are M and D of ray 0, `change` what both
-    /// change by from pixel to pixel.
+    /// The rays of a part of a row, which has `pixels` pixels. `ray` is M and D of ray 0, `change` by how
+    /// much the two change from pixel to pixel.
     // Not `inline(always)`: in a build for size, flash should contain it only once.
     pub fn rays(self, ray: (F32x3, F32x3), change: (F32x3, F32x3), pixels: u32) -> Rays {
         let finer = (u32::BITS - pixels.leading_zeros()) as i32;
@@ -44,7 +44,7 @@ impl Rays {
         self.direction_change = self.direction_change.map(|x| -x);
     }
 
-    /// Origin and direction of the ray in the middle of the i-th pixel: i + ½.
+    /// M and D of ray i + ½, which passes through the middle of the i-th pixel: in units of 2^−w and of 2^−d.
     #[inline(never)]
     pub fn at(&self, i: u32) -> ([i32; 3], [i32; 3]) {
         let twice = i64::from(2 * i + 1);

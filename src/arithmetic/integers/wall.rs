@@ -4,23 +4,23 @@ use super::{exponent, fixed, high};
 
 /// A segment's cubic about the middle of its height, `a0 + a1·v + a2·v² + a3·v³`.
 ///
-/// The parameter v is (z − middle)/2^height, in units of 2⁻³¹; in the segment it is between −1/2 and 1/2, and
-/// the cubic may be computed for all v between −1 and 1. So roots are found up to half a segment's height, at
-/// least, beyond its ends.
+/// The parameter v is (z − m)/2^height, in units of 2⁻³¹, where m is the middle of the segment's height; in
+/// the segment it is between −1/2 and 1/2, and the cubic may be computed for all v between −1 and 1. So
+/// Newton's method may go beyond the segment's ends, by half of its height at least.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Wall {
     /// The coefficients, in units of 2^(2·block − 26).
     pub a: [i32; 4],
-    /// How many bits fewer than 13 a radius has behind the point; it is the least for which
-    /// |a0| + |a1| + 2·|a2| + 3·|a3| is less than 2³⁰ units.
+    /// The least number, zero or more, for which |a0| + |a1| + 2·|a2| + 3·|a3| is less than 2³⁰ of
+    /// these units.
     pub block: i16,
     /// 2^height is more than the segment's height, and at most twice that.
     pub height: i16,
 }
 
 impl Wall {
-    /// That of a segment which no ray meets.
+    /// The cubic of a spare segment, which no ray meets.
     pub const EMPTY: Self = Self { a: [0; 4], block: 0, height: 0 };
 
     /// The cubic of a segment with the coefficients f in powers of u, and with `per_height`, one over its
@@ -42,13 +42,13 @@ impl Wall {
         Self { a: about_middle(f, per_height, 26 - 2 * block), block: block as i16, height: height as i16 }
     }
 
-    /// In this arithmetic it is what a segment has.
+    /// This cubic: in this arithmetic a segment has one.
     #[inline(always)]
     pub fn in_integers(&self) -> &Self {
         self
     }
 
-    /// f and its derivative over v.
+    /// f at v, and its derivative over v, both in the units of `a`.
     #[inline(always)]
     pub fn with_slope(&self, v: i32) -> (i32, i32) {
         let [a0, a1, a2, a3] = self.a;
@@ -58,7 +58,7 @@ impl Wall {
         ((high(first, v) << 1) + a0, (high(third + second, v) << 1) + first)
     }
 
-    /// The derivative of f over v.
+    /// The derivative of f over v, at v, in the units of `a`.
     #[inline(always)]
     pub fn slope(&self, v: i32) -> i32 {
         let [_, a1, a2, a3] = self.a;
@@ -66,8 +66,8 @@ impl Wall {
     }
 }
 
-/// The coefficients about the middle, in units of 2^−`bits`, of the cubic with the coefficients f in powers of
-/// u. `per_height` is du/dv, from 1 to 2, in units of 2⁻²⁹.
+/// The coefficients about the middle, in units of 2^−`bits`, of the cubic with the coefficients f in powers
+/// of u. `per_height` is du/dv, from 1 to 2, in units of 2⁻²⁹.
 const fn about_middle([c0, c1, c2, c3]: [f32; 4], per_height: i32, bits: i32) -> [i32; 4] {
     const fn scaled(c: i32, per_height: i32) -> i32 {
         ((c as i64 * per_height as i64) >> 29) as i32
@@ -81,7 +81,7 @@ const fn about_middle([c0, c1, c2, c3]: [f32; 4], per_height: i32, bits: i32) ->
     ]
 }
 
-/// A bound of the cubic and of its derivative for |v| < 1.
+/// A bound of |f| and of the magnitude of its derivative over v, for |v| < 1, given the coefficients of f.
 const fn sum([a0, a1, a2, a3]: [i32; 4]) -> u32 {
     a0.unsigned_abs() + a1.unsigned_abs() + 2 * a2.unsigned_abs() + 3 * a3.unsigned_abs()
 }

@@ -1,7 +1,7 @@
 //! The innermost loop in integers.
 //!
-//! Each number has the bits behind the point that the table says, with the `numbers` of the row, see
-//! [`Numbers`], and the `block` of the segment, see [`Wall::block`](crate::arithmetic::integers::Wall::block):
+//! The table says how many bits each number has behind the point. `numbers` are the row's [`Numbers`], and
+//! `block` is that of the segment's [`Wall`](crate::arithmetic::integers::Wall):
 //!
 //! | number | bits behind the point |
 //! |---|---|
@@ -14,8 +14,9 @@
 //!
 //! Additions are exact unless they wrap around, and no result that has wrapped around is used:
 //!
-//! - M: where its ray meets the solid it is less than 2³⁰ units ([`Numbers::p`]), and it changes by less than
-//!   2²⁹ units from pixel to pixel. So it does not wrap around at the pixel after one whose root was found.
+//! - M: where its ray meets the solid it is less than 2³⁰ units ([`Numbers::p`]), and it changes by at most
+//!   2²⁹ units from pixel to pixel, or else a call tracks one pixel only. So M does not wrap around at the
+//!   pixel after one whose root was found.
 //! - M + s·D: since s·D is at most 2³⁰ units, a sum that has wrapped around is 2³⁰ units or more. The loop
 //!   goes on only with an x, y and z that are less.
 //! - What is computed from such an x, y and z does not overflow.
@@ -40,11 +41,11 @@ use gradient::Gradient;
 /// squares: together 10 units of 2^(2·block − 26).
 ///
 /// Few segments have a larger one, for which the sum that defines `block` must be 2¹⁰ or more. Let h′ be the
-/// segment's height divided by 2^`height` of the [`Wall`], from 1/2 to 1. In the segment w = 2·v/h′ is
-/// between −1 and 1, and f between 0 and 4. So the coefficients of f in powers of w are at most 4, 6, 4 and
-/// 8: f − 2 is between −2 and 2, and of all such cubics those that are twice a Chebyshev polynomial have the
-/// largest coefficients. With these limits the sum is 2¹⁰ or more only if the coefficient of w³ exceeds 4.5
-/// and h′ is below 0.6.
+/// segment's height divided by 2^[`height`](crate::arithmetic::integers::Wall::height), from 1/2 to 1. In the
+/// segment w = 2·v/h′ is between −1 and 1, and f between 0 and 4. So the coefficients of f in powers of w are
+/// at most 4, 6, 4 and 8: f − 2 is between −2 and 2, and of all such cubics those that are twice a Chebyshev
+/// polynomial have the largest coefficients. With these limits the sum is 2¹⁰ or more only if the coefficient
+/// of w³ exceeds 4.5 and h′ is below 0.6.
 const MOST_BLOCK: i32 = 3;
 
 /// Whether x is from −limit to before limit.
@@ -79,8 +80,8 @@ impl Numbers {
         let image = |[x, y, z]: [i32; 3], [dx, dy, dz]: [i32; 3]| {
             if is_inside { ([-x, -y, z], [dx, dy, -dz]) } else { ([x, y, z], [dx, dy, dz]) }
         };
-        // Points have more bits than in `rays`, changes fewer. Where a change wraps around, the next ray does not,
-        // if it is in range.
+        // Points have more bits than in `rays`, changes fewer. Where a change wraps around, the next ray does
+        // not, if it is in range.
         let up = numbers.p - numbers.w;
         let change = |x: i32, up: i32| {
             let half = (1 << rays.finer) >> 1;
@@ -113,13 +114,14 @@ impl Numbers {
         let finer = 2 + block - height;
         let (f_right, xy_right) = ((-finer).max(0) as u32, finer.max(0) as u32);
         let slope_bits = numbers.d - 4 - block - finer.max(0);
-        // The slope is off by 8 units at most: the derivative of f by 5, of which a product with dz leaves half,
-        // four products by one each, and the two bounds by half a unit.
+        // The slope is off by 8 units at most: the derivative of f by 5, of which a product with dz leaves
+        // half, four products by one each, and the two bounds by half a unit.
         let [certain, least] =
             [certificate.certain, certificate.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
         let least = least.max(1 << 12);
         // σ without its last `spare` bits has 13 or more, and its inverse in units of 2^(−32 − spare) at most
-        // 2²⁰. A Newton step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by 2¹⁰.
+        // 2²⁰. A Newton step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by
+        // 2¹⁰.
         let spare = (19 - least.leading_zeros() as i32).max(0) as u32;
         let scale = numbers.s - 30 + 31 + block - (31 - numbers.d) - finer.max(0);
         let left = scale - spare as i32 - 10;
@@ -131,8 +133,8 @@ impl Numbers {
         let square = exponent(certificate.own.newton_tolerance * certificate.slope) - 3;
         let near = fixed(power_of_two((square >> 1).clamp(-100, 100)), numbers.s).min(1 << 18);
 
-        // A root is undecided if its height is within the tolerance of an end or of a step, or within the slip of
-        // any other knot: a crease that is seen edge on may be a silhouette.
+        // A root is undecided if its height is within the tolerance of an end or of a step, or within the
+        // slip of any other knot: a crease that is seen edge on may be a silhouette.
         let knot_pad = greater(bounds.knot_tolerance, bounds.slip);
         let [pad, knot_pad] = [bounds.tolerance, knot_pad].map(|pad| fixed(pad, numbers.p));
         let below = half - if root.index == 0 { pad } else { knot_pad };
@@ -165,8 +167,8 @@ impl Numbers {
                 let g = f - (high(near_x, near_x) + high(near_y, near_y));
                 let sigma =
                     (high(slope, dz) >> f_right) - ((high(near_x, dx) + high(near_y, dy)) >> xy_right);
-                // With a smaller slope no root is certified. Beyond a silhouette there is none, which a probe finds
-                // out: so this does not end as a root without a certificate does.
+                // With a smaller slope no root is certified. Beyond a silhouette there is none, which a probe
+                // finds out: so this does not end as a root without a certificate does.
                 let divisor = if sigma < least { 0 } else { sigma as u32 >> spare };
                 let Some(per_sigma) = u32::MAX.checked_div(divisor) else {
                     end = TrackEnd::Diverged;

@@ -10,6 +10,9 @@ use crate::vector::{F32x3, Vector, vector};
 pub(crate) struct Numbers;
 
 impl Numbers {
+    /// Whether a root is certified by how fast its ray approaches the axis.
+    pub const HAS_APPROACH: bool = true;
+
     /// How the numbers of a row are held, given its `span`, a bound of D², and a bound of |M|.
     #[inline(always)]
     pub fn new(_span: f32, _longest: f32, _far: f32) -> Self {

@@ -67,6 +67,10 @@ impl Length {
 }
 
 impl Numbers {
+    /// Whether a root is certified by how fast its ray approaches the axis. Without an FPU that test, in
+    /// floats, would cost half of the probe that it saves.
+    pub const HAS_APPROACH: bool = false;
+
     /// How the numbers of a row are held, given its `span`, a bound of D², and a bound of |M|.
     pub fn new(span: f32, longest: f32, far: f32) -> Self {
         // |s| ≤ span < 2^s; and if D² < 2^E, then |D| < 2^(E/2) ≤ 2^d.

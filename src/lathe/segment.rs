@@ -1,6 +1,7 @@
 //! One segment of a lathe: its cubic, and bounds on it.
 
 use crate::arithmetic::Wall;
+use crate::math::UNIT_ROUNDOFF;
 use crate::math::minmax::{greater, lesser};
 use crate::profile::ProfilePiece;
 
@@ -52,6 +53,22 @@ pub struct Segment {
 /// fast path decides only on rays that miss the bounding cylinder.
 pub(super) const fn greater_or_nan(a: f32, b: f32) -> f32 {
     if a > b || a.is_nan() { a } else { b }
+}
+
+/// An upper bound of the magnitude of a quadratic on [0, 1], given its Bernstein ordinates.
+///
+/// With a = e0 − e1 and b = e2 − e1 the quadratic has its vertex at u = a/(a + b), and there the value
+/// `e1 + a·b/(a + b)`. The vertex lies inside if a and b have the same sign. That value is off by 6 units of
+/// 2⁻²⁴ of the largest ordinate at most.
+const fn quadratic_magnitude([e0, e1, e2]: [f32; 3]) -> f32 {
+    let (a, b) = (e0 - e1, e2 - e1);
+    let ends = e0.abs().max(e2.abs());
+    let size = ends.max(e1.abs());
+    if a * b > 0.0 {
+        ends.max((e1 + a * b / (a + b)).abs() + 8.0 * UNIT_ROUNDOFF * size).min(size)
+    } else {
+        size
+    }
 }
 
 /// A squared radius r², enlarged by 2⁻⁹ of itself for a bounding cylinder. A point that is computed to be on
@@ -112,10 +129,7 @@ impl Segment {
             // The second derivative of a cubic is linear, and so largest at an end.
             convexity: greater_or_nan(c2, c2 + 3.0 * c3) * per_height * per_height,
             slope_jump: 0.0,
-            // The derivative by u is three times a weighted mean of the differences of adjacent ordinates.
-            max_slope: 3.0
-                * (b[1] - b[0]).abs().max((b[2] - b[1]).abs()).max((b[3] - b[2]).abs())
-                * per_height,
+            max_slope: 3.0 * quadratic_magnitude([b[1] - b[0], b[2] - b[1], b[3] - b[2]]) * per_height,
             curvature: greater_or_nan(c2.abs(), (c2 + 3.0 * c3).abs()) * per_height * per_height,
             half: [0.5 * f[1], 1.5 * f[3]],
             wall: Wall::new(f, per_height),

@@ -27,9 +27,17 @@
 //! negative at P, it is at least `(1 − p/P)·(|A| − c·p·P)` between. P is at most `h/|dz|`, with h the
 //! segment's height. So B is positive if `|A| > |F‴/6|·h²·|dz|`.
 //! Where |A| is less, [`Sweep::is_nearest_at`] decides, pixel by pixel.
+//!
+//! Where the ray runs nearly level, the slope proves more, whatever the convexity of the segments. Along the
+//! ray `g′ = F′·dz − (x² + y²)′`. Let `a = −(x² + y²)′` at the root, how fast the ray approaches the axis
+//! there. Back along the ray a only grows, for x² + y² is convex, and F′·dz is at least −S·|dz|, with S the
+//! largest slope of the profile. So if a > S·|dz|, g rises all the way to the root, and was negative before,
+//! as long as it has no jumps. A is at most a + S′·|dz|, with S′ the largest slope of the root's segment: so
+//! A > (S + S′)·|dz| suffices.
 
-use super::skip::Above;
+use super::skip::{Above, Path};
 use super::sweep::{Certificate, Start, Sweep};
+use crate::arithmetic::Numbers;
 use crate::lathe::segment::Segment;
 use crate::math::minmax::greater;
 
@@ -82,16 +90,28 @@ impl Sweep<'_> {
         if is_concave || !enters && bump == 0.0 {
             passed = self.concave(rises);
         }
+        let own = bounds.in_segment(segment);
+        let mut slope = bump * segment.per_height * bounds.steep + own.slack;
         // Before all segments the ray may still meet a ring outside of the wall of the end.
         let before = if enters && passed.is_all && !bounds.lathe.frame.has_jumps {
             Before::Clear { until: u32::MAX }
         } else {
-            self.before(i, &passed)
+            let path = self.path(i);
+            // dz is linear in the pixel's number.
+            let rays = &self.direction.rays;
+            let last = rays.direction.z + self.direction.len as f32 * rays.direction_change.z;
+            let (approach, dz) = bounds.numbers.approach(&path, root.s);
+            let dz = greater(dz, last.abs());
+            let least = self.least_approach(dz, own.slack);
+            if approach > least {
+                (slope, bump) = (least + segment.max_slope * dz, f32::NAN);
+                Before::Clear { until: u32::MAX }
+            } else {
+                self.before(i, &path, &passed)
+            }
         };
         match before {
             Before::Clear { until } => {
-                let own = bounds.in_segment(segment);
-                let slope = bump * segment.per_height * bounds.steep + own.slack;
                 let certain = greater(slope, self.clear_slope(i, rises, own.tolerance));
                 Certification::Nearest(Certificate { certain, slope, bump, own, until: until.min(turns) })
             }
@@ -114,6 +134,19 @@ impl Sweep<'_> {
         let beyond = if rises { root.segment.low - height } else { height - root.segment.high };
         if beyond > bounds.tolerance {
             tolerance * bounds.steep / (beyond - bounds.tolerance)
+        } else {
+            f32::INFINITY
+        }
+    }
+
+    /// How fast a ray must approach the axis at the tracked root, so that g rises all the way to the root: `a`
+    /// of the top of this file. `dz` is |dz|, or a bound of it, `slack` that of the root's segment. It is
+    /// infinite if g may jump upwards, if the ray leaves the solid at the root, or if the arithmetic's probes
+    /// cost less than this.
+    fn least_approach(&self, dz: f32, slack: f32) -> f32 {
+        let frame = self.bounds.lathe.frame;
+        if Numbers::HAS_APPROACH && self.root.sign > 0.0 && !frame.has_jumps {
+            frame.max_slope * dz + slack
         } else {
             f32::INFINITY
         }
@@ -157,23 +190,23 @@ impl Sweep<'_> {
     /// segments, and for how many of the next rays as well. g is to be negative if the ray enters the solid
     /// at the tracked root, positive if it leaves it.
     #[inline(always)]
-    fn before(&self, i: u32, passed: &Concave) -> Before {
+    fn before(&self, i: u32, path: &Path, passed: &Concave) -> Before {
         let (bounds, root) = (&self.bounds, &self.root);
-        let (path, sign) = (self.path(i), root.sign);
+        let sign = root.sign;
         let frame = bounds.lathe.frame;
         let end = if path.rises() { &frame.base } else { &frame.top };
-        let interval = self.interval(&path);
+        let interval = self.interval(path);
         // A ray that leaves the solid at the root it sees begins inside, or has come in through an open end:
         // at a cap it would have entered.
-        if sign < 0.0 && interval.0 > bounds.numbers.start(self, &path) && !(end.beyond > 0.0) {
+        if sign < 0.0 && interval.0 > bounds.numbers.start(self, path) && !(end.beyond > 0.0) {
             return Before::Undecided;
         }
         // The proofs for the root's own segment need the sign of g where the ray comes into it, unless the
         // slope suffices. So g is bounded at that point in any case, even if that point lies before `near`.
         let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
-        let (before, far) = bounds.numbers.before(self, &path, interval, passed.first, !by_slope);
+        let (before, far) = bounds.numbers.before(self, path, interval, passed.first, !by_slope);
         let plane = passed.index + usize::from(!path.rises());
-        let start = match self.below_zero(i, &path, sign, before, plane) {
+        let start = match self.below_zero(i, path, sign, before, plane) {
             Ok(until) => return Before::Clear { until },
             Err(Above { is_near: true, .. }) => return Before::Undecided,
             Err(Above { start, .. }) => start,
@@ -206,10 +239,13 @@ impl Sweep<'_> {
     /// B is positive between if c₂ < 0, if its discriminant is negative, or if it falls all the way: w is at
     /// most 1, and so before B's vertex if c₂ > 2·c₃. The certificate's `bump` stands for |f3|. If c₃ ≤ 0 or a
     /// concave g is certain, it is zero; then only the slope is tested here.
+    ///
+    /// Beside this, a root is the nearest if the ray approaches the axis fast enough there, whatever the
+    /// certificate.
     #[cold]
     #[inline(never)]
     pub(super) fn is_nearest_at(&self, u: f32, s: f32, slope: f32, back: f32, q: f32, kappa: f32) -> bool {
-        let [_, _, f2, f3] = self.root.segment.f;
+        let Segment { f: [_, f1, f2, f3], low, high, .. } = *self.root.segment;
         let Certificate { slope: certain, bump, ref own, .. } = self.root.certificate;
         if !((s - self.bounds.start) * slope > own.tolerance) {
             return false;
@@ -217,11 +253,14 @@ impl Sweep<'_> {
         if slope > certain {
             return true;
         }
-        let kappa = kappa.abs();
-        let square = kappa * kappa;
-        let curve = (3.0 * f3 * u + f2) * square - q;
+        let half = 3.0 * f3 * u + f2;
+        let curve = half * (kappa * kappa) - q;
         let (c2, slope) = (self.root.sign * curve, slope - 2.0 * curve * back);
-        let c3 = bump * square;
-        slope > own.slack && (c2 > 2.0 * c3 || c2 * c2.abs() < 4.0 * (slope - own.tolerance) * kappa * c3)
+        let approach = slope - ((half + f2) * u + f1) * kappa;
+        let kappa = kappa.abs();
+        let c3 = bump * kappa * kappa;
+        approach > self.least_approach(kappa * (high - low), own.slack)
+            || slope > own.slack
+                && (c2 > 2.0 * c3 || c2 * c2.abs() < 4.0 * (slope - own.tolerance) * kappa * c3)
     }
 }

@@ -67,6 +67,9 @@ impl Sweep<'_> {
         if numbers.is_in_edge(self, &path) {
             return Probe::MayMeet(Start { index: usize::MAX, s: 0.0, sign: 0.0 });
         }
+        if let Some(n) = numbers.beside(self, &path) {
+            return Probe::Misses { to: (i + 1).saturating_add(n) };
+        }
         let Frame { len, ref base, ref top, .. } = *bounds.lathe.frame;
         let (exit, entry, end) = if path.rises() { (len, base, top) } else { (0, top, base) };
         let interval = self.interval(&path);

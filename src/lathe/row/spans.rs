@@ -65,7 +65,8 @@ impl Sweep<'_> {
     ///
     /// - at a limit that lies before the certificate's `until`: the same root is tracked, with the same
     ///   certificate;
-    /// - at the certificate's `until`, or where the root moved into the neighbouring segment: the root is
+    /// - at the certificate's `until`, where its proof was how fast the ray approaches the axis, which no more
+    ///   is fast enough, or where the root moved into the neighbouring segment: the root is
     ///   certified again, in the segment where it is now. If it is the nearest, it is tracked with the new
     ///   certificate. If another root may be nearer, that one is tracked, and if a plane may be, it is noted
     ///   in `root.plane`. If neither is certain, or if `root.tries` is used up, this is the last case;
@@ -96,6 +97,7 @@ impl Sweep<'_> {
                 }
                 index
             }
+            TrackEnd::Uncertified if root.certificate.bump.is_nan() => root.index,
             TrackEnd::Uncertified => usize::MAX,
             TrackEnd::Diverged => {
                 // The root may have jumped: a probe of this pixel may find it at its new place.

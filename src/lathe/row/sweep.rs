@@ -133,7 +133,8 @@ pub(super) struct Certificate {
     /// by the slope.
     pub slope: f32,
     /// For the second test, [`Sweep::is_nearest_at`]: |f3| of the root's own segment, or zero if the slope of
-    /// g alone proves that g keeps its sign in that segment.
+    /// g alone proves that g keeps its sign in that segment. NaN if that test does not apply, because the
+    /// certificate is how fast the ray approaches the axis.
     pub bump: f32,
     /// The bounds of the root's own segment.
     pub own: SegmentBounds,

@@ -38,6 +38,24 @@ impl Numbers {
         bounds.lathe.is_near_edge(path.z, bounds.tolerance - path.dz.abs())
     }
 
+    /// Whether a ray passes above the solid, or below it, by more than the tolerance wherever it is within the
+    /// span. If so, for how many of the next rays this is certain.
+    pub(in crate::lathe::row) fn beside(self, sweep: &Sweep, path: &LocalRay) -> Option<u32> {
+        let (bounds, rays) = (&sweep.bounds, &sweep.direction.rays);
+        let (side, edge) = if path.z > 0.0 { (1.0, bounds.high) } else { (-1.0, bounds.low) };
+        let gap = side * (path.z - edge) - path.dz.abs() * bounds.span - bounds.tolerance;
+        // At a fixed s the height is linear in the pixel's number.
+        let closing = rays.direction_change.z.abs() * bounds.span - side * rays.origin_change.z;
+        // The conversion to u32 saturates.
+        (gap > 0.0).then(|| (gap / greater(0.0, closing)) as u32)
+    }
+
+    /// How fast a ray approaches the axis at s, −(x² + y²)′, and its |dz|.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn approach(self, path: &LocalRay, s: f32) -> (f32, f32) {
+        (-2.0 * path.around(s).1, path.dz.abs())
+    }
+
     /// [`Sweep::interval`].
     #[inline(always)]
     pub(in crate::lathe::row) fn interval(self, sweep: &Sweep, path: &LocalRay) -> (f32, f32) {

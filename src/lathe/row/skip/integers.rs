@@ -101,6 +101,18 @@ impl Numbers {
         }
     }
 
+    /// `None`: in integers a probe decides such rays, too.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn beside(self, _sweep: &Sweep, _path: &Path) -> Option<u32> {
+        None
+    }
+
+    /// It is not computed: see [`Numbers::HAS_APPROACH`].
+    #[inline(always)]
+    pub(in crate::lathe::row) fn approach(self, _path: &Path, _s: f32) -> (f32, f32) {
+        (0.0, 0.0)
+    }
+
     /// [`Sweep::interval`].
     #[inline(always)]
     pub(in crate::lathe::row) fn interval(self, sweep: &Sweep, path: &Path) -> (i32, i32) {

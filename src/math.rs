@@ -27,7 +27,7 @@ pub(crate) use self::cold_path::cold_path;
 pub use self::libm::Libm;
 pub use self::micromath::Micromath;
 pub use self::native::Native;
-pub(crate) use self::rsqrt::rsqrt;
+pub(crate) use self::rsqrt::rsqrt_of_double;
 #[cfg(all(feature = "std", not(target_os = "none")))]
 pub use self::std::Std;
 

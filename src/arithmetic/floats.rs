@@ -2,8 +2,9 @@
 
 use super::{Share, integers};
 use crate::math::minmax::greater;
-use crate::math::rsqrt;
+use crate::math::rsqrt_of_double;
 use crate::vector::{F32x3, Vector, vector};
+use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 /// How the numbers of a sweep are held: as they are, whatever the row.
 #[derive(Clone, Copy)]
@@ -90,15 +91,16 @@ impl Length {
 pub(crate) struct Seen {
     /// A vector of any length along the surface normal, on the side that is seen, in object space.
     gradient: F32x3,
-    /// One over the length of `gradient`.
+    /// One over √2 times the length of `gradient`.
     per_length: f32,
 }
 
 /// What [`Seen::pairs`] returns.
 pub(crate) type Pair = (f32, f32);
 
-/// The direction to the light in a solid's own space. Its length is the light's share in the units of a
-/// [`Share`], so that its dot product with a unit normal is what Lambert's law leaves of that share.
+/// The direction to the light in a solid's own space. Its length is √2 times the light's share in the units of a
+/// [`Share`]: so its dot product with a normal, times [`Seen::per_length`], is what Lambert's law leaves of that
+/// share.
 #[derive(Clone, Copy)]
 pub(crate) struct ToLight(F32x3);
 
@@ -128,7 +130,7 @@ impl ToLight {
     /// The direction of a unit vector to a light whose share is `direct`.
     #[inline(always)]
     pub fn new(unit: F32x3, direct: f32) -> Self {
-        Self(unit * (direct * Share::UNITS))
+        Self(unit * (direct * (SQRT_2 * Share::UNITS)))
     }
 
     /// Its mirror image in the plane with the normal n.
@@ -163,7 +165,9 @@ impl Seen {
     /// and neither subnormal nor infinite.
     #[inline(always)]
     pub fn new(gradient: F32x3) -> Self {
-        Self { gradient, per_length: rsqrt(gradient.dot(gradient)) }
+        let F32x3 { x, y, z } = gradient;
+        let (yy, zz) = (y * y, z * z);
+        Self { gradient, per_length: rsqrt_of_double(x * x + yy + zz) }
     }
 
     /// The sample as pairs of numbers. A function that is not inlined takes such pairs in registers. A sample
@@ -185,7 +189,7 @@ impl Seen {
     /// points to the side from which it is seen.
     #[inline(always)]
     pub fn flat(up: f32) -> Self {
-        Self { gradient: vector([0.0, 0.0, up]), per_length: 1.0 }
+        Self { gradient: vector([0.0, 0.0, up]), per_length: FRAC_1_SQRT_2 }
     }
 
     /// The cosine of the angle between the normal and the direction to the light, times the light's share.
@@ -225,13 +229,13 @@ impl Views {
         let view = self.first + self.change * column as f32;
         // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
         // It has the right sign before the two are made unit vectors.
-        let twice = 2.0 * cosine * per_length;
+        let twice = 4.0 * cosine * per_length;
         let rv = to_light.dot(view) - twice * gradient.dot(view);
         let square = view.dot(view) * to_light.dot(*to_light);
         if !(rv * rv.abs() > gloss.least * square) {
             return Share::NONE;
         }
-        let rv = rv * rsqrt(square);
+        let rv = rv * (SQRT_2 * rsqrt_of_double(square));
         Share::of_one(0.5 * power(rv, gloss.exponent))
     }
 }

@@ -14,7 +14,7 @@ impl Numbers {
         self,
         sweep: &mut Sweep,
         _rays: &Rays,
-        mut i: u32,
+        i: u32,
         to: u32,
         mut see: impl FnMut(&Seen, Length),
     ) -> u32 {
@@ -38,27 +38,33 @@ impl Numbers {
         let pad = bounds.tolerance * segment.per_height;
         let slip = if sign < 0.0 { bounds.slip } else { 0.0 };
         let knot_pad = greater(bounds.knot_tolerance, slip) * segment.per_height;
-        let from = if root.index == 0 { pad } else { knot_pad };
+        let from = (if root.index == 0 { pad } else { knot_pad }).to_bits();
         let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
-        let width = greater(0.0, 1.0 - from - to_end).to_bits();
+        let width = greater(0.0, 1.0 - to_end).to_bits().saturating_sub(from);
         let (mut s, mut change, mut bend) = (root.s, root.change, root.bend);
-        let start = i;
+        let count = to.saturating_sub(i);
+        let mut left = count;
 
         let mut end = TrackEnd::Limit;
-        'pixels: while i < to {
-            let predicted = s;
+        'pixels: while left > 0 {
             let mut tries = NEWTON_STEPS;
+            let ahead;
             loop {
-                let (x, y, u) = (m.x + s * d.x, m.y + s * d.y, m.z + s * d.z);
+                // In this order the compiler leaves few results to wait for, see docs/TRIED.md.
+                let (x, y) = (m.x + s * d.x, m.y + s * d.y);
+                let b = x * d.x + y * d.y;
+                let square = x * x + y * y;
+                let u = m.z + s * d.z;
                 let c3u = c3 * u;
                 let p2 = c3u + c2;
                 let p1 = p2 * u + c1;
-                let f = p1 * u + c0;
                 let f1 = (c3u + p2) * u + p1;
-                let b = x * d.x + y * d.y;
+                let g = (p1 * u + c0) - square;
                 let slope = f1 * d.z - (b + b);
-                let back = (f - (x * x + y * y)) / slope;
+                let back = g / slope;
+                // The error of the prediction is added to `bend`.
                 s -= back;
+                bend -= back;
                 // After a Newton step the error is at most `back²·|g″/2|/slope`. If the slope is NaN or
                 // negative, the test fails.
                 if !(back * back <= newton_tolerance * slope) {
@@ -70,9 +76,10 @@ impl Numbers {
                     }
                     continue;
                 }
-                let (x, y, u) = (x - back * d.x, y - back * d.y, u - back * d.z);
-                // As unsigned integers, the bits of a negative number or a NaN exceed those of `width`.
-                if (u - from).to_bits() > width {
+                let u = u - back * d.z;
+                // As unsigned integers, the bits of positive numbers are in the numbers' order, and those of a
+                // negative one or a NaN exceed them all. Below `from` the difference wraps around.
+                if u.to_bits().wrapping_sub(from) > width {
                     end = TrackEnd::Left { upper: u > 0.5 };
                     break 'pixels;
                 }
@@ -80,24 +87,27 @@ impl Numbers {
                     end = TrackEnd::Uncertified;
                     break 'pixels;
                 }
-                see(&wall.seen(x, y, u), Length(sign * s));
+                let x = x - back * d.x;
+                change += bend;
+                let across = wall.across(x);
+                let along = wall.along(u);
+                let y = y - back * d.y;
+                ahead = change + bend;
+                see(&Seen::new(vector([across, y, along])), Length(sign * s));
                 break;
             }
-            // s is predicted from its first difference, `change`, and its second one, `bend`. The error of the
-            // prediction that was just corrected is added to `bend`.
-            bend += s - predicted;
-            change += bend;
-            s += change + bend;
+            // s is predicted from its first difference, `change`, and its second one, `bend`.
+            s += ahead;
             m += m1;
             d += d1;
-            i += 1;
+            left -= 1;
         }
         let root = &mut sweep.root;
         (root.s, root.change, root.bend, root.end) = (s, change, bend, Some(end));
-        if i > start {
+        if left < count {
             root.tries = NEWTON_STEPS;
         }
-        i
+        i + (count - left)
     }
 }
 
@@ -119,15 +129,16 @@ impl Wall {
         Self { signed_squash: sign * root_squash, e: [along * c1, along * 2.0 * c2, along * 3.0 * c3] }
     }
 
-    /// What is seen at a point of the wall, given its x, scaled by √k, its y times the root's sign, and its
-    /// parameter u in the segment.
-    ///
-    /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`, of which √k·x is the given
-    /// x. It points outwards. If the wall is seen from inside, all three components change their signs: those
-    /// of x and z because `signed_squash` and `e` contain the root's sign, that of y because `signed_y` does.
+    /// The x of the normal at a point of the wall with this x, scaled by √k.
     #[inline(always)]
-    fn seen(&self, x: f32, signed_y: f32, u: f32) -> Seen {
+    fn across(&self, x: f32) -> f32 {
+        self.signed_squash * x
+    }
+
+    /// The z of the normal at a point of the wall with this parameter u in the segment.
+    #[inline(always)]
+    fn along(&self, u: f32) -> f32 {
         let [e0, e1, e2] = self.e;
-        Seen::new(vector([self.signed_squash * x, signed_y, (e2 * u + e1) * u + e0]))
+        (e2 * u + e1) * u + e0
     }
 }

@@ -61,7 +61,7 @@ impl Numbers {
         self,
         sweep: &mut Sweep,
         rays: &Rays,
-        mut i: u32,
+        i: u32,
         to: u32,
         mut see: impl FnMut(&Seen, Length),
     ) -> u32 {
@@ -145,10 +145,10 @@ impl Numbers {
         let unit = power_of_two(-numbers.s);
         let signed_unit = if is_inside { -unit } else { unit };
         let [mut s, mut change, mut bend] = [root.s, root.change, root.bend].map(|s| fixed(s, numbers.s));
-        let start = i;
+        let count = to.saturating_sub(i);
+        let mut left = count;
         let mut end = if is_tracked { TrackEnd::Limit } else { TrackEnd::Uncertified };
-        'pixels: while i < to {
-            let predicted = s;
+        'pixels: while left > 0 {
             let mut tries = NEWTON_STEPS;
             loop {
                 let x = mx.wrapping_add(high(s, dx));
@@ -182,6 +182,7 @@ impl Numbers {
                     ((i64::from(g) * i64::from(per_sigma)) >> right).clamp(-(1 << 27), 1 << 27) as i32
                 };
                 s = s.wrapping_sub(back);
+                bend = bend.wrapping_sub(back);
                 if !is_within(back, near) {
                     cold_path();
                     tries -= 1;
@@ -228,19 +229,18 @@ impl Numbers {
                 break;
             }
             // s is predicted as in floats.
-            bend = bend.wrapping_add(s.wrapping_sub(predicted));
             change = change.wrapping_add(bend);
             s = s.wrapping_add(change).wrapping_add(bend);
             (mx, my, mz) = (mx.wrapping_add(mx1), my.wrapping_add(my1), mz.wrapping_add(mz1));
             (dx, dy, dz) = (dx.wrapping_add(dx1), dy.wrapping_add(dy1), dz.wrapping_add(dz1));
-            i += 1;
+            left -= 1;
         }
         let root = &mut sweep.root;
         [root.s, root.change, root.bend] = [s, change, bend].map(|s| s as f32 * unit);
         root.end = Some(end);
-        if i > start {
+        if left < count {
             root.tries = NEWTON_STEPS;
         }
-        i
+        i + (count - left)
     }
 }

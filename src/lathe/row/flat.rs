@@ -19,9 +19,9 @@ use crate::math::minmax::{greater, lesser};
 
 impl Sweep<'_> {
     /// The span of pixels, from the i-th on, that may see a cap or a ring: on the plane at which the i-th ray
-    /// comes to the solid, or on the one that `root.plane` names. No part of the solid hides that from these pixels: each
-    /// sees it if its ray [passes](Sweep::passes) through it, as the i-th does. The `flat` of the sweep is
-    /// set to it. `None` if the i-th is not certain to see one; then `root.plane` names none.
+    /// comes to the solid, or on the one that `root.plane` names. No part of the solid hides that from these
+    /// pixels: each sees it if its ray [passes](Sweep::passes) through it, as the i-th does. The `flat` of
+    /// the sweep is set to it. `None` if the i-th is not certain to see one; then `root.plane` names none.
     #[inline(always)]
     pub(super) fn flat_span(&mut self, i: u32) -> Option<Span> {
         let frame = self.bounds.lathe.frame;

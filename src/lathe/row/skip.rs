@@ -16,7 +16,7 @@ use crate::lathe::frame::Frame;
 /// The value is a choice: it keeps `n/(1 − n·ε)`, see [`Sweep::below_zero`], near n.
 const FALL: f32 = 1.0 / 8.0;
 
-/// What an arithmetic's numbers are, along a ray of a row.
+/// The types in which an arithmetic has a ray of a row, and a distance along it.
 pub(super) trait Probing {
     /// A ray of the row.
     type Path<'a>;
@@ -38,10 +38,10 @@ pub(super) enum Probe {
     MayMeet(Start),
 }
 
-/// Where sign·g, an upper bound of which is not below zero, may be above zero.
+/// Where sign·g may be above zero, if an upper bound of it is not below zero.
 pub(super) struct Above {
-    /// Whether the bound is so near to zero that sign·g may stay below zero: less than the tolerance above it,
-    /// in the last segment in which it is above.
+    /// Whether the bound is so near to zero that sign·g may stay below zero: less than the tolerance above
+    /// it, in the last segment in which it is above.
     pub is_near: bool,
     /// About where sign·g crosses zero, in the first segment where sign·g may come to within the tolerance of
     /// zero. The start's own sign is 1 where sign·g rises through zero along the ray, −1 where it falls.
@@ -77,8 +77,8 @@ impl Sweep<'_> {
             Ok(to) => return Probe::Misses { to },
             Err(above) => above.start,
         };
-        // No crossing is known in any segment: the ray may leave the solid through the far end, without meeting
-        // it if that end is open, and if the ray begins inside or has come in through an open end.
+        // No crossing is known in any segment: the ray may leave the solid through the far end, without
+        // meeting it if that end is open, and if the ray begins inside or has come in through an open end.
         let has_come_in = interval.0 == numbers.start(self, &path) || entry.beyond > 0.0;
         if start.is_none()
             && end.beyond > 0.0

@@ -38,8 +38,8 @@ impl Numbers {
         bounds.lathe.is_near_edge(path.z, bounds.tolerance - path.dz.abs())
     }
 
-    /// Whether a ray passes above the solid, or below it, by more than the tolerance wherever it is within the
-    /// span. If so, for how many of the next rays this is certain.
+    /// Whether a ray passes above the solid, or below it, by more than the tolerance wherever it is within
+    /// the span. If so, for how many of the next rays this is certain.
     pub(in crate::lathe::row) fn beside(self, sweep: &Sweep, path: &LocalRay) -> Option<u32> {
         let (bounds, rays) = (&sweep.bounds, &sweep.direction.rays);
         let (side, edge) = if path.z > 0.0 { (1.0, bounds.high) } else { (-1.0, bounds.low) };
@@ -65,7 +65,8 @@ impl Numbers {
         (greater(bounds.start, greater(-span, near)), lesser(span, far))
     }
 
-    /// Where a ray passes a height.
+    /// The s at which a ray passes a height. For a horizontal ray it is infinite, or NaN if the ray lies at
+    /// that height.
     #[inline(always)]
     pub(in crate::lathe::row) fn plane(self, path: &LocalRay, z: f32) -> f32 {
         path.plane(z)
@@ -87,10 +88,10 @@ impl Numbers {
         ((if holds_end { lesser(near, far) } else { near }, far), far)
     }
 
-    /// By how much sign·g is below zero on an interval of a ray: an upper bound of it and of its tolerance
-    /// is less by that much. It is +∞ if the interval ends before it begins. An error if the bound is not below
-    /// zero. The segments are bounded one after another, to the one that has the start. `last` is as in
-    /// [`Sweep::below_zero`].
+    /// By how much sign·g plus its tolerance stays below zero on an interval of a ray, at least; +∞ if the
+    /// interval ends before it begins. An error if an upper bound of sign·g plus its tolerance is not below
+    /// zero. The segments are bounded one after another, up to the one in which [`Above::start`] is found.
+    /// `last` is as in [`Sweep::below_zero`].
     #[inline(always)]
     pub(in crate::lathe::row) fn upper_bound(
         self,

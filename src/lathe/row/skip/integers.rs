@@ -30,7 +30,7 @@ pub(in crate::lathe::row) struct Path<'a> {
     nearest: i32,
     /// [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
     start: i32,
-    /// How many bits s has.
+    /// How many bits s has behind the point.
     bits: i32,
 }
 
@@ -53,7 +53,7 @@ impl Path<'_> {
         [x + high(s, dx), y + high(s, dy), z + high(s, dz)]
     }
 
-    /// The square of its distance from the axis.
+    /// The squared distance from the axis at s.
     #[inline(never)]
     fn square(&self, s: i32) -> i64 {
         let [x, y, _] = self.at(s);
@@ -123,7 +123,8 @@ impl Numbers {
         (near.max(-span).max(path.start), far.min(span))
     }
 
-    /// Where a ray passes a height; for a horizontal ray far away.
+    /// The s at which a ray passes a height. For a horizontal ray it is the farthest s that there is, or zero
+    /// if the ray lies at that height.
     #[inline(never)]
     pub(in crate::lathe::row) fn plane(self, path: &Path, z: f32) -> i32 {
         path.per_dz.of((fixed(z, self.w) - path.m[2]).into(), 32)
@@ -184,10 +185,10 @@ impl Numbers {
         }))
     }
 
-    /// By how much sign·g is below zero on an interval of a ray: an upper bound of it and of its tolerance
-    /// is less by that much. It is `i64::MAX` if the interval ends before it begins. An error if the bound is
-    /// not below zero. The segments are bounded one after another, to the one that has the start. `last` is
-    /// as in [`Sweep::below_zero`].
+    /// By how much sign·g plus its tolerance stays below zero on an interval of a ray, at least; `i64::MAX`
+    /// if the interval ends before it begins. An error if an upper bound of sign·g plus its tolerance is not
+    /// below zero. The segments are bounded one after another, up to the one in which [`Above::start`] is
+    /// found. `last` is as in [`Sweep::below_zero`].
     #[inline(always)]
     pub(in crate::lathe::row) fn upper_bound(
         self,

@@ -9,9 +9,9 @@ pub(super) struct Cubic {
     right: u32,
 }
 
-/// What rounding takes from the largest value at most, in units of the coefficients: four of them are rounded,
-/// and the three products of a value. The place of the largest value is found within 2⁻²², and there the slope
-/// is zero: the value is less than a unit off for that.
+/// What rounding takes from the largest value at most, in units of the coefficients: four of them are
+/// rounded, and the three products of a value. The place of the largest value is found within 2⁻²², and there
+/// the slope is zero: the value is less than a unit off for that.
 const SLACK: i64 = 8;
 
 /// x·t, t in units of 2⁻³⁰.
@@ -58,8 +58,8 @@ impl Cubic {
         (times(first, t) + a0, times(third + second, t) + first)
     }
 
-    /// About where it comes to zero from below, as τ in units of 2⁻³⁰: where it rises, or, for a `way` of −1,
-    /// where it falls, as τ grows. It may be any number if there is no such place.
+    /// About where the cubic rises through zero as τ grows, or, for a `way` of −1, where it falls through
+    /// zero: τ in units of 2⁻³⁰. If there is no such place, the result may be any number from −1 to 1.
     ///
     /// Newton's method begins at the end from which a concave cubic's zero is never passed.
     #[inline(always)]

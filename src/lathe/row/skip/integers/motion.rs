@@ -11,8 +11,8 @@ impl Numbers {
     /// the i-th ray has in an interval of s. `path` is that ray. On it sign·g plus the tolerance is at most
     /// −`margin`; `margin` is positive. Zero if no next pixel is certain. See [`Sweep::below_zero`].
     ///
-    /// Motions v have `numbers.w + fine` bits behind the point, so that a number of pixels counts in units of
-    /// 2^`fine`.
+    /// The motion v is computed as that over 2^`fine` pixels, so that it has as many bits as there is room
+    /// for.
     #[inline(always)]
     pub(in crate::lathe::row) fn certified_run(
         self,
@@ -28,10 +28,10 @@ impl Numbers {
         let is_level = rays.origin_change[2] == 0 && rays.direction_change[2] == 0;
         let (mut fine, mut most, mut fall) = (rays.finer - 3, i32::MAX, 0);
         if !is_level {
-            // Heights change from pixel to pixel. In `most` pixels the point of a height moves by SPANS spans, or
-            // dz falls by FALL of itself. At an s of 1 + SPANS spans heights may change that many times faster
-            // than within the span. So from pixel to pixel it moves less than 2⁵ spans over `most`, and a span is
-            // less than 2²⁷ units.
+            // Heights change from pixel to pixel. In `most` pixels the point of a height moves by SPANS
+            // spans, or dz falls by FALL of itself. At an s of 1 + SPANS spans heights may change that many
+            // times faster than within the span. So from pixel to pixel it moves less than 2⁵ spans over
+            // `most`, and a span is less than 2²⁷ units.
             let change = rays.direction_change[2];
             fall = if path.rises() { -change } else { change };
             let drift = i64::from(fixed(sweep.bounds.drift, self.d));
@@ -72,8 +72,8 @@ impl Numbers {
     }
 }
 
-/// The number n of pixels, in units of 2^−`fine`, with which `2·n·pace + n²·square` comes to the margin, rounded
-/// down. The three have the same units. If it never does, a number greater than any row is long.
+/// 2^`fine`·n, rounded down, for the n with which `2·n·pace + n²·square` comes to the margin; the three have
+/// the same units. If it never does, a number greater than any row is long.
 fn run(margin: i64, pace: i64, square: i64, fine: i32) -> i32 {
     let ([margin, pace, square, _], _) = narrowed([margin, pace, square, 0]);
     // Rounded to the safe side.

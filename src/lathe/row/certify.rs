@@ -41,6 +41,10 @@ use crate::arithmetic::Numbers;
 use crate::lathe::segment::Segment;
 use crate::math::minmax::greater;
 
+/// For how many pixels at most a certificate holds whose proof is how fast the ray approaches the axis: it
+/// takes the largest |dz| of their rays. The value is a choice.
+const LEVEL_PIXELS: u32 = 32;
+
 /// What is known of the tracked root.
 pub(super) enum Certification {
     /// The tracked root is the nearest, for this reason.
@@ -97,15 +101,14 @@ impl Sweep<'_> {
             Before::Clear { until: u32::MAX }
         } else {
             let path = self.path(i);
-            // dz is linear in the pixel's number.
-            let rays = &self.direction.rays;
-            let last = rays.direction.z + self.direction.len as f32 * rays.direction_change.z;
             let (approach, dz) = bounds.numbers.approach(&path, root.s);
-            let dz = greater(dz, last.abs());
+            // dz is linear in the pixel's number.
+            let last = dz + LEVEL_PIXELS as f32 * self.direction.rays.direction_change.z;
+            let dz = greater(dz.abs(), last.abs());
             let least = self.least_approach(dz, own.slack);
             if approach > least {
                 (slope, bump) = (least + segment.max_slope * dz, f32::NAN);
-                Before::Clear { until: u32::MAX }
+                Before::Clear { until: i.saturating_add(LEVEL_PIXELS) }
             } else {
                 self.before(i, &path, &passed)
             }

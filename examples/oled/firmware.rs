@@ -27,10 +27,7 @@ fn main() -> ! {
         }
     }
 
-    host::say(
-        b"On the board's panel, 128 by 64 pixels in 16 grays: a test card, then a vase, swung about,\n",
-    );
-    host::say(b"then a ball that goes round a pawn. 24 frames each.\n");
+    host::say(show::TITLE);
     host::say(host::WHERE_TO_LOOK);
     if let Some(core) = Peripherals::take() {
         let mut delay = Delay::new(core.SYST, CLOCK_HZ);

@@ -5,7 +5,12 @@ use core::f32::consts::TAU;
 use embedded_graphics::{pixelcolor::Gray4, prelude::*, primitives::Rectangle};
 use embedded_lathe::{Background, Camera, Pose, Rgb, Rotation, Scene, Solid, valid};
 
-/// What there is to see; `card` tries the panel's driver.
+/// What there is to see.
+pub const TITLE: &[u8] =
+    b"On the board's panel, 128 by 64 pixels in 16 grays: a test card, then a vase, swung about,\n\
+then a ball that goes round a pawn. 24 frames each.\n";
+
+/// The names of the scenes; `card` tries the panel's driver.
 pub const NAMES: [&[u8]; 3] = [b"card", b"vase", b"pawn"];
 
 /// A turn.

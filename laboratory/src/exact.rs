@@ -37,7 +37,7 @@ fn root(x: &Exact) -> Exact {
     x.sqrt().with_precision(0).value()
 }
 
-/// The nearest number of so many bits.
+/// The nearest number with a precision of `bits` bits.
 pub fn shortened(x: Exact, bits: usize) -> Exact {
     x.with_precision(bits).value().with_precision(0).value()
 }

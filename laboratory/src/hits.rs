@@ -7,8 +7,8 @@
 //! every point before it that is on the wrong side, out of there (or beyond an end, or before the ray's start). In units
 //! of the promise ([`crate::unit()`]). Points are sampled densely, so it too is a lower bound.
 //!
-//! [`Truth::judge_unsure`] lets the squared radius be off as well, by so much everywhere, before it displaces
-//! anything: near the axis that is a large displacement.
+//! [`Truth::judge_unsure`] first lets the squared radius be off as well, by one bound everywhere, and displaces
+//! points after that: near the axis a small error of the squared radius is a large displacement.
 
 use super::exact::{Exact, Polynomial, exact, float, quotient, shortened};
 use crate::cases::{Case, Cast, Outline};

@@ -48,11 +48,12 @@ pub use promise::{PROMISE, ROUNDOFF, unit};
 /// How many units of [`ROUNDOFF`] are in 1.
 const UNITS: f64 = 1.0 / ROUNDOFF;
 
-/// What no change of the coefficients below so many units of 2⁻²⁴ explains is called wrong, whoever says it.
+/// An answer is called wrong, whichever solver gives it, if no change of the coefficients by less than this number
+/// of units of 2⁻²⁴ explains it.
 pub const WRONG: f64 = 64.0;
 
-/// What no displacement below so many units ([`unit()`]) explains is a wrong intersection, whoever made it: four
-/// times what the crate promises.
+/// An intersection is called wrong, whichever code computes it, if no displacement by less than this number of units
+/// ([`unit()`]) explains it: four times what the crate promises.
 pub const DISPLACEMENT: f64 = 4.0 * PROMISE;
 
 /// By how many units of `2⁻²⁴·Σ bⱼ·Bⱼ(u)`, magnitudes, the squared radius may be off where it touches zero

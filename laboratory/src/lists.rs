@@ -10,8 +10,8 @@
 //! - `joint`: what makes all of them the roots of one cubic, to the exact least. Not to be asked for: where
 //!   c2 = 0 no three floats whose sum is not zero are, though they be the nearest to the roots. But what
 //!   keeps it keeps all.
-//! - [`is_certain`]: whether a cubic is known that differs by no more than so many units, and has as many
-//!   roots in [lo, hi].
+//! - [`is_certain`]: whether a cubic is known that differs by no more than a given number of units and has the
+//!   listed number of roots in [lo, hi].
 //!
 //! The least relative change δ of all coefficients cⱼ that meets linear conditions `Σⱼ aᵢⱼ·c̃ⱼ = 0` is by
 //! duality the largest `|Σᵢ λᵢ·gᵢ| / Σⱼ |cⱼ|·|Σᵢ λᵢ·aᵢⱼ|` over all λ, gᵢ what the given cⱼ leave of a

@@ -47,7 +47,7 @@ impl Curve {
             square[n] - per_third * (square[n] - square[n - 1]),
             square[n],
         ];
-        // Both of one degree, at least 3: times 1, written with so many coefficients.
+        // Both of one degree, at least 3: each times the constant 1, whose degree makes up the difference.
         let [raised, square] = [(&cubic[..], n), (&square[..], 3)]
             .map(|(c, degree)| bernstein_product(c, &vec![1.0; degree.saturating_sub(c.len() - 1) + 1]));
         let largest = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));

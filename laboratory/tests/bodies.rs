@@ -11,7 +11,8 @@ use rand::{RngExt, SeedableRng};
 
 const SEED: u64 = 1995;
 const RAYS: u64 = 400;
-/// As of single lathes: clear of silhouettes, rims and the start by so many units a ray meets what it should.
+/// As for single lathes: a ray that is clear of silhouettes, rims and its start by this number of units hits what it
+/// should.
 const CLEARANCE: f64 = 4.0;
 const CAPACITY: usize = 3 * (4 * 4 + 1);
 

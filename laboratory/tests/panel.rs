@@ -1,9 +1,10 @@
-//! The emulated board's panel shows what the host draws in the same arithmetic, pixel for pixel: floats here, integers
-//! in `integers/tests/panel.rs`.
+//! The emulated board's panel shows what the host draws in the same arithmetic, pixel for pixel: floats here,
+//! integers in `integers/tests/panel.rs`.
 //!
 //! ```text
-//! cargo test --test panel -- --ignored --skip write       needs qemu-system-arm and the two targets
-//! cargo test --test panel -- --ignored write       docs/panel.png, as the Cortex-M3's panel shows it
+//! cargo test --test panel -- --ignored --skip write       needs qemu-system-arm and the two targets cargo test
+//! --test panel -- --ignored write       docs/panel.png and docs/outlines/vase-panel.png, as the Cortex-M3's panel
+//! shows them
 //! ```
 
 #[path = "../../examples/oled/card.rs"]
@@ -11,8 +12,12 @@ mod card;
 #[path = "../../examples/dial/show.rs"]
 mod dial;
 #[allow(dead_code)]
+#[path = "../../examples/outlines/show.rs"]
+mod drawing;
+#[allow(dead_code)]
 #[path = "../../examples/scenes/mod.rs"]
 mod scenes;
+#[allow(dead_code)]
 #[path = "../../examples/oled/show.rs"]
 mod show;
 
@@ -58,7 +63,7 @@ impl DrawTarget for Canvas {
 /// The scenes of the examples, each with the example's name.
 fn scenes() -> impl Iterator<Item = (&'static str, &'static str)> {
     let oled = show::NAMES.map(|name| ("oled", str::from_utf8(name).unwrap()));
-    oled.into_iter().chain([("dial", "turn")])
+    oled.into_iter().chain([("dial", "turn"), ("outlines", "drawing")])
 }
 
 /// What the host draws, up to frame `last` as the firmware does.
@@ -68,6 +73,7 @@ fn drawn(scene: &str, last: u32) -> Pixels {
     for n in 0..=last {
         let is_drawn = match scene {
             "turn" => screen.draw(n, &mut canvas),
+            "drawing" => drawing::draw(scene.as_bytes(), n, &mut canvas),
             _ => show::draw(scene.as_bytes(), n, &mut canvas),
         };
         is_drawn.expect("the scene is there");
@@ -130,9 +136,8 @@ fn difference(a: &Pixels, b: &Pixels) -> Option<(usize, usize)> {
 }
 
 fn compare(target: &str) {
-    let [oled, dial] = ["oled", "dial"].map(|example| firmware::build(target, example, firmware::SMALL, &[]));
     for (example, scene) in scenes() {
-        let elf = if example == "oled" { &oled } else { &dial };
+        let elf = &firmware::build(target, example, firmware::SMALL, &[]);
         let mut earlier: Option<Pixels> = None;
         for n in FRAMES {
             let ours = drawn(scene, n);
@@ -172,8 +177,8 @@ fn one_differing_pixel_is_found() {
     assert_eq!(difference(&ours, &theirs), Some((127, 63)));
 }
 
-/// Of a turning knob a frame draws the number and a rectangle of the pointer's size; the panel shows what it shows if all of the
-/// knob's picture is drawn.
+/// Of a turning knob a frame draws the number and a rectangle of the pointer's size; the panel shows what it shows if
+/// all of the knob's picture is drawn.
 #[test]
 fn a_turning_dial_draws_little() {
     let mut canvas = Canvas([[0; 128]; 64]);
@@ -207,7 +212,8 @@ fn a_turning_dial_draws_little() {
 fn write() {
     let mut sheet = SimulatorDisplay::<Gray4>::new(Size::new(3 * 132 - 4, 3 * 68 - 4));
     sheet.clear(Gray4::WHITE).unwrap();
-    for (row, (example, scene)) in scenes().filter(|(_, scene)| *scene != "card").enumerate() {
+    let is_shown = |scene: &str| scene != "card" && scene != "drawing";
+    for (row, (example, scene)) in scenes().filter(|(_, scene)| is_shown(scene)).enumerate() {
         let elf = firmware::build(firmware::M3, example, firmware::SMALL, &[]);
         for (column, n) in [1, 10, 17].into_iter().enumerate() {
             let pixels = shown(firmware::M3, &elf, example, scene, n);
@@ -215,8 +221,24 @@ fn write() {
             sheet.fill_contiguous(&at, pixels.into_iter().flatten().map(Gray4::new)).unwrap();
         }
     }
+    save(&sheet, "panel.png");
+}
+
+/// A frame of the drawn vase.
+#[test]
+#[ignore = "writes docs/outlines/vase-panel.png"]
+fn write_drawing() {
+    let elf = firmware::build(firmware::M3, "outlines", firmware::SMALL, &[]);
+    let pixels = shown(firmware::M3, &elf, "outlines", "drawing", 1);
+    let mut panel = SimulatorDisplay::<Gray4>::new(Size::new(128, 64));
+    panel.fill_contiguous(&panel.bounding_box(), pixels.into_iter().flatten().map(Gray4::new)).unwrap();
+    save(&panel, "outlines/vase-panel.png");
+}
+
+/// A picture in `docs`, each pixel four by four.
+fn save(display: &SimulatorDisplay<Gray4>, name: &str) {
     let scaled = OutputSettingsBuilder::new().scale(4).build();
-    let docs = Path::new(firmware::ROOT).join("docs");
-    fs::create_dir_all(&docs).unwrap();
-    sheet.to_grayscale_output_image(&scaled).save_png(docs.join("panel.png")).unwrap();
+    let file = Path::new(firmware::ROOT).join("docs").join(name);
+    fs::create_dir_all(file.parent().unwrap()).unwrap();
+    display.to_grayscale_output_image(&scaled).save_png(file).unwrap();
 }

@@ -2,7 +2,7 @@
 
 use crate::piece::Point;
 
-/// A curve p(t), 0 ≤ t ≤ 1, to be looked at in so many chords.
+/// A curve p(t), 0 ≤ t ≤ 1, and into how many chords it is cut.
 pub(crate) struct Strand<'a> {
     pub at: Box<dyn Fn(f64) -> Point + 'a>,
     pub chords: usize,

@@ -182,18 +182,18 @@ impl Outline {
         around(places.map(|p| [p, p]))
     }
 
-    /// All of it so many times as large.
+    /// The outline with all its coordinates multiplied by a factor.
     pub fn scaled(self, by: f64) -> Self {
         self.stretched(by, by)
     }
 
-    /// Its radii and its heights so many times as large.
+    /// The outline with its radii multiplied by one factor and its heights by another.
     pub fn stretched(self, across: f64, along: f64) -> Self {
         let pieces = self.pieces.into_iter().map(|piece| piece.stretched(across, along)).collect();
         Self { pieces, closed: self.closed }
     }
 
-    /// Moved by so much in radius and height.
+    /// The outline moved in radius and in height.
     pub fn moved(self, by: Point) -> Self {
         Self { pieces: self.pieces.into_iter().map(|piece| piece.moved(by)).collect(), closed: self.closed }
     }

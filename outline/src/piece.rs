@@ -186,7 +186,7 @@ impl Piece {
         r.iter().chain(&self.z).chain(&self.w).all(|c| c.is_finite())
     }
 
-    /// The same with every radius' sign turned.
+    /// The piece with the sign of every radius changed.
     pub(crate) fn mirrored(mut self) -> Self {
         if let Radius::Plain(r) = &mut self.radius {
             r.iter_mut().for_each(|r| *r = -*r);
@@ -194,7 +194,7 @@ impl Piece {
         self
     }
 
-    /// Its radii and its heights so many times as large.
+    /// The piece with its radii multiplied by one factor and its heights by another.
     pub(crate) fn stretched(mut self, across: f64, along: f64) -> Self {
         self.z.iter_mut().for_each(|z| *z *= along);
         match &mut self.radius {

@@ -215,7 +215,7 @@ fn wall(rng: &mut ChaCha8Rng, points: &[Point], kind: usize) -> Vec<Piece> {
     pieces
 }
 
-/// An arc from a to b that bulges outwards by so much of their distance.
+/// An arc from a to b that bulges outwards by half of `bulge` times their distance.
 fn arc(a: Point, b: Point, bulge: f64) -> Vec<Piece> {
     let (dr, dz) = (b.r - a.r, b.z - a.z);
     let chord = dr.hypot(dz);

@@ -2,7 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar of so many steps, with the time that is left.
+/// A progress bar of `steps` steps, with the time that is left.
 pub fn bar(steps: u64, what: &str) -> ProgressBar {
     let style = ProgressStyle::with_template("{prefix:>14} [{bar:40}] {pos}/{len} {msg} {eta}");
     let bar = ProgressBar::new(steps).with_prefix(what.to_owned());

@@ -77,7 +77,7 @@ fn cast(origin: Vector, direction: Vector) -> Cast {
     Cast { origin: round(origin), direction: round(direction), t_min: 0.0 }
 }
 
-/// Towards a point, from so many sizes before it.
+/// A ray towards a point that begins `sizes` times the size of the place before it.
 fn towards(place: &Place, point: Vector, direction: Vector, sizes: f64) -> Cast {
     cast(along(point, -sizes * place.size, direction), direction)
 }

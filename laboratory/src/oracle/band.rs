@@ -285,7 +285,7 @@ impl Walk<'_> {
     }
 }
 
-/// The side of points whose g has that range, and may be off by so much.
+/// The side of points whose g has that range and may be off by the tolerance.
 fn side([low, high]: [f64; 2], tolerance: f64) -> Side {
     if high < -tolerance || high <= 0.0 && tolerance == 0.0 {
         Side::Out

@@ -27,7 +27,7 @@ static KNOWN: LazyLock<Vec<Vec<(Question, Truth)>>> = LazyLock::new(|| {
     FAMILIES.iter().map(known).collect()
 });
 
-/// The first so many questions of a family, with the number of each.
+/// The first `count` questions of a family, with the number of each.
 fn questions(family: &Family, count: u64) -> impl Iterator<Item = (u64, &'static Question, &'static Truth)> {
     let number = FAMILIES.iter().position(|other| other.name == family.name).expect(family.name);
     (0..count).zip(&KNOWN[number]).map(|(index, (question, truth))| (index, question, truth))

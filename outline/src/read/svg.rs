@@ -78,7 +78,7 @@ impl Shape<'_> {
 }
 
 fn parse<'a>(of: &Source<'a>) -> Result<Document<'a>, ReadError> {
-    // Inkscape's files may name a document type; entities are expanded at most so often as to stay small.
+    // Inkscape's files may name a document type. The limit of nodes bounds what its entities expand to.
     let options = ParsingOptions { allow_dtd: true, nodes_limit: 1_000_000, ..ParsingOptions::default() };
     Document::parse_with_options(of.text, options).map_err(|error| {
         let at = error.pos();

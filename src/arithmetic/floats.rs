@@ -20,7 +20,7 @@ impl Numbers {
         Self
     }
 
-    /// The rays of a part of a row are as they are given.
+    /// Keeps none of these: the rays serve as they are given.
     #[inline(always)]
     pub fn rays(self, _ray: (F32x3, F32x3), _change: (F32x3, F32x3), _pixels: u32) -> Rays {
         Rays
@@ -33,23 +33,23 @@ impl Numbers {
     }
 }
 
-/// The rays of a row in this arithmetic are those that the row is set up with.
+/// A type without fields: in this arithmetic the rays that a row is set up with serve as they are.
 #[derive(Clone, Copy)]
 pub(crate) struct Rays;
 
 impl Rays {
-    /// Counts the rays backwards.
+    /// Without effect: there are no rays to count backwards.
     #[inline(always)]
     pub fn reverse(&mut self) {}
 }
 
-/// What a segment has for this arithmetic beside its coefficients in floats: no more.
+/// A type without fields: in this arithmetic a segment has no cubic beside its coefficients in floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Wall;
 
 impl Wall {
-    /// That of a segment which no ray meets.
+    /// That of a spare segment, which no ray meets.
     pub const EMPTY: Self = Self;
 
     /// That of a segment with the coefficients f and `per_height`.
@@ -57,7 +57,7 @@ impl Wall {
         Self
     }
 
-    /// In this arithmetic a segment has no integers, and this is not called.
+    /// A cubic that is zero. It is never called for: only the loop in integers asks for a cubic in integers.
     #[inline(always)]
     pub fn in_integers(&self) -> &integers::Wall {
         &integers::Wall::EMPTY
@@ -98,9 +98,9 @@ pub(crate) struct Seen {
 /// What [`Seen::pairs`] returns.
 pub(crate) type Pair = (f32, f32);
 
-/// The direction to the light in a solid's own space. Its length is √2 times the light's share in the units of a
-/// [`Share`]: so its dot product with a normal, times [`Seen::per_length`], is what Lambert's law leaves of that
-/// share.
+/// The direction to the light in a solid's own space. Its length is √2 times the light's share in the units
+/// of a [`Share`]: so its dot product with a normal, times [`Seen::per_length`], is what Lambert's law leaves
+/// of that share.
 #[derive(Clone, Copy)]
 pub(crate) struct ToLight(F32x3);
 
@@ -141,7 +141,7 @@ impl ToLight {
 }
 
 impl Gloss {
-    /// For an exponent of the highlight.
+    /// The gloss with this exponent of the highlight.
     pub const fn new(exponent: u8) -> Self {
         // For x < 1, ln x ≤ 2·(x − 1)/(x + 1). So half of xˢ is less than 2⁻²⁰ if x is less than
         // (s − h)/(s + h), where h = 19·ln 2/2.
@@ -161,8 +161,8 @@ impl Views {
 }
 
 impl Seen {
-    /// The sample whose normal points along `gradient`. The square of that must be a normal number: positive,
-    /// and neither subnormal nor infinite.
+    /// The sample whose normal points along `gradient`. The squared length of `gradient` must be a normal
+    /// number: positive, and neither subnormal nor infinite.
     #[inline(always)]
     pub fn new(gradient: F32x3) -> Self {
         let F32x3 { x, y, z } = gradient;
@@ -170,9 +170,9 @@ impl Seen {
         Self { gradient, per_length: rsqrt_of_double(x * x + yy + zz) }
     }
 
-    /// The sample as pairs of numbers. A function that is not inlined takes such pairs in registers. A sample
-    /// it would take by reference: then the loop would store each sample on the stack, whether it makes the
-    /// call or not.
+    /// The sample as two pairs of numbers, which a function that is not inlined takes in registers. It would
+    /// take the sample itself by reference, and so the loop would store each sample on the stack, whether it
+    /// calls the function or not.
     #[inline(always)]
     pub fn pairs(&self) -> [Pair; 2] {
         let Self { gradient: F32x3 { x, y, z }, per_length } = *self;
@@ -200,7 +200,7 @@ impl Seen {
 }
 
 impl Cosine {
-    /// The light on the surface, as a share; zero where it faces away from the light.
+    /// The light on the surface as a share; zero where the surface faces away from the light.
     #[inline(always)]
     pub fn share(self, _: &ToLight) -> Share {
         // `Share::new` makes a negative number zero.
@@ -209,10 +209,11 @@ impl Cosine {
 }
 
 impl Views {
-    /// Phong's highlight with a coefficient of ½: half the power of the cosine between the light's direction,
-    /// mirrored at the normal, and the direction towards the eye, of a column's ray. Given are what is seen,
-    /// as [`Seen::pairs`], and [`Seen::cosine`]. It is zero where the surface faces away from the light, or
-    /// the mirrored light away from the eye.
+    /// Phong's highlight with a coefficient of ½, as a share: ½·cosⁿ, where n is the exponent of `gloss`, and
+    /// the cosine that of the angle between the direction to the light, mirrored at the normal, and the
+    /// direction from the surface to the eye along the column's ray. `cosine` is [`Seen::cosine`] of `seen`
+    /// and `to_light`. The highlight is zero where the surface faces away from the light, or the mirrored
+    /// light away from the eye, or where the cosine is less than the least that counts.
     #[inline(always)]
     pub fn highlight(
         &self,

@@ -1,7 +1,8 @@
 //! Pixels in 32-bit integers, for machines without an FPU: numbers in fixed point, with as many bits behind
 //! the point as the bounds of a row leave.
 //!
-//! Products are the high words of 32-bit factors, which is one instruction where the core has it.
+//! A product is the high word of the 64-bit product of two 32-bit numbers: one instruction where the core has
+//! one.
 
 mod divisor;
 mod fixed;
@@ -58,8 +59,8 @@ pub(crate) struct Length {
 }
 
 impl Length {
-    /// The length as a float. It takes a conversion and a product: where a pixel does not need it, it is not
-    /// computed.
+    /// The length as a float. This takes a conversion and a product, so it is called only for pixels that need
+    /// the number.
     #[inline(always)]
     pub fn float(self) -> f32 {
         self.units as f32 * self.unit

@@ -10,7 +10,7 @@ pub(crate) struct Seen {
     pub direction: Direction,
 }
 
-/// A vector of some length from 1/4 to 1.
+/// A direction: a vector along it, whose length is from 1/4 to 1.
 #[derive(Clone, Copy)]
 pub(crate) struct Direction {
     /// Its components, in units of 2⁻³⁰.
@@ -67,7 +67,7 @@ impl ToLight {
 }
 
 impl Gloss {
-    /// For an exponent of the highlight.
+    /// The gloss with this exponent of the highlight.
     pub const fn new(exponent: u8) -> Self {
         Self { exponent }
     }
@@ -93,7 +93,8 @@ impl Views {
 }
 
 impl Direction {
-    /// The direction of a vector that is not zero. No component may exceed 2²⁹.
+    /// The direction of a vector, no component of which may exceed 2²⁹. A zero vector remains zero; its
+    /// length counts as 1/2.
     fn new(mut along: [i32; 3]) -> Self {
         let mut square = square(along);
         // From 2⁵⁸ to 2⁶⁰: the length is from 2²⁹ to 2³⁰, that is from 1/2 to 1. So is the largest component
@@ -107,8 +108,8 @@ impl Direction {
         Self { along, per_length: root_of_quarter(square) }
     }
 
-    /// The scalar product with another vector, over the length of this one: 28 bits, if the other's has 31.
-    /// The other's length may be at most 1.
+    /// The scalar product of the unit vector in this direction and another vector, whose length may be at
+    /// most 1: in units of 2⁻²⁸, if the other vector is given in units of 2⁻³¹.
     #[inline(always)]
     fn dot(&self, [x, y, z]: [i32; 3]) -> i32 {
         let [along_x, along_y, along_z] = self.along;
@@ -118,17 +119,17 @@ impl Direction {
 }
 
 impl Seen {
-    /// The sample whose normal points along `gradient`. The square of that must be a normal number: positive,
-    /// and neither subnormal nor infinite.
+    /// The sample whose normal points along `gradient`. The squared length of `gradient` must be a normal
+    /// number: positive, and neither subnormal nor infinite.
     #[inline(never)]
     pub fn new(gradient: F32x3) -> Self {
         let bits = 29 - exponent(largest(gradient));
         Self { direction: Direction::new(fixed_vector(gradient, bits)) }
     }
 
-    /// The sample as pairs of numbers. A function that is not inlined takes such pairs in registers. A sample
-    /// it would take by reference: then the loop would store each sample on the stack, whether it makes the
-    /// call or not.
+    /// The sample as two pairs of numbers, which a function that is not inlined takes in registers. It would
+    /// take the sample itself by reference, and so the loop would store each sample on the stack, whether it
+    /// calls the function or not.
     #[inline(always)]
     pub fn pairs(&self) -> [Pair; 2] {
         let Direction { along: [x, y, z], per_length } = self.direction;
@@ -156,7 +157,7 @@ impl Seen {
 }
 
 impl Cosine {
-    /// The light on the surface, as a share; zero where it faces away from the light.
+    /// The light on the surface as a share; zero where the surface faces away from the light.
     #[inline(always)]
     pub fn share(self, to_light: &ToLight) -> Share {
         Share::of_units(high(self.positive(), to_light.direct))
@@ -170,10 +171,11 @@ impl Cosine {
 }
 
 impl Views {
-    /// Phong's highlight with a coefficient of ½: half the power of the cosine between the light's direction,
-    /// mirrored at the normal, and the direction towards the eye, of a column's ray. Given are what is seen,
-    /// as [`Seen::pairs`], and [`Seen::cosine`]. It is zero where the surface faces away from the light, or
-    /// the mirrored light away from the eye.
+    /// Phong's highlight with a coefficient of ½, as a share: ½·cosⁿ, where n is the exponent of `gloss`, and
+    /// the cosine that of the angle between the direction to the light, mirrored at the normal, and the
+    /// direction from the surface to the eye along the column's ray. `cosine` is [`Seen::cosine`] of `seen`
+    /// and `to_light`. The highlight is zero where the surface faces away from the light, or the mirrored
+    /// light away from the eye.
     #[cold]
     #[inline(never)]
     pub fn highlight(
@@ -188,8 +190,8 @@ impl Views {
             return Share::NONE;
         }
         let (normal, view) = (seen.direction, self.of(column));
-        // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye. All
-        // have 28 bits, but n·v, which has 27, since those of a direction are 30, not 31.
+        // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
+        // All have 28 bits, but n·v, which has 27, since those of a direction are 30, not 31.
         let nv = high(normal.dot(view.along) << 3, view.per_length);
         let rv = view.dot(to_light.unit) - (high(cosine << 2, nv << 3) << 1);
         let (mut x, mut product, mut exponent) = (Cosine(rv).positive(), i32::MAX, gloss.exponent);

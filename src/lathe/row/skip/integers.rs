@@ -157,11 +157,11 @@ impl Numbers {
     fn g_between(self, path: &Path, segment: &Segment, (from, to): (i32, i32), is_negative: bool) -> Cubic {
         let wall = segment.wall.in_integers();
         let [bottom, top] = [segment.low, segment.high].map(|z| fixed(z, self.w));
-        // The heights lie in the slab, but for rounding, and so |v| ≤ 1/2 there.
+        // The heights lie in the slab, but for rounding, and so |v| ≤ 1/2 there. (`clamp` could panic.)
         let parameter_bits = (31 - self.w - i32::from(wall.height)).max(0) as u32;
         let [v0, v1] = [from, to].map(|s| {
             let [.., z] = path.at(s);
-            (z.clamp(bottom, top) - ((bottom + top) >> 1)) << parameter_bits
+            (z.max(bottom).min(top) - ((bottom + top) >> 1)) << parameter_bits
         });
         let (v, half_height) = ((v0 >> 1) + (v1 >> 1), (v1 >> 1) - (v0 >> 1));
         let times = |x: i32| high(x, half_height) << 1;

@@ -40,7 +40,8 @@ impl Numbers {
             if most == 0 {
                 return 0;
             }
-            fine = fine.min(most.ilog2() as i32 - 2);
+            // Two less than its logarithm, by which `ilog2` could panic.
+            fine = fine.min(29 - most.leading_zeros() as i32);
         }
         let (middle, half) = ((from + to) >> 1, (to - from + 1) >> 1);
         let [x1, y1, z1] = rays.origin_change.map(|x| x >> (rays.finer - fine));

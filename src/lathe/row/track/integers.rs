@@ -27,10 +27,9 @@
 mod gradient;
 mod shift;
 
-use crate::arithmetic::integers::{Length, Numbers, Rays, Seen, exponent, fixed, high, power_of_two};
+use crate::arithmetic::integers::{Length, Numbers, Rays, Seen, exponent, fixed, high, power_of_two, wide};
 use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::math::cold_path;
-use crate::math::minmax::greater;
 use crate::vector::{dot_xy, vector};
 use gradient::Gradient;
 
@@ -133,12 +132,17 @@ impl Numbers {
         let square = exponent(certificate.own.newton_tolerance * certificate.slope) - 3;
         let near = fixed(power_of_two((square >> 1).clamp(-100, 100)), numbers.s).min(1 << 18);
 
-        // A root is undecided if its height is within the tolerance of an end or of a step, or within the
-        // slip of any other knot: a crease that is seen edge on may be a silhouette.
-        let knot_pad = greater(bounds.knot_tolerance, bounds.slip);
-        let [pad, knot_pad] = [bounds.tolerance, knot_pad].map(|pad| fixed(pad, numbers.p));
-        let below = half - if root.index == 0 { pad } else { knot_pad };
-        let above = half - if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
+        // A root is undecided if its height is within the tolerance of an end or of a step, `pads`. A root where
+        // the ray leaves the solid is also undecided within the slip of any other knot. So is one where the ray
+        // enters it, if g does not exceed the tolerance at the knot behind the root: a crease that is seen edge on
+        // may be a silhouette. Up to that knot g rises by the slope times the way.
+        let slip = fixed(bounds.slip, numbers.p);
+        let [pad, knot_pad] = [bounds.tolerance, bounds.knot_tolerance].map(|pad| fixed(pad, numbers.p));
+        let pads = [
+            if root.index == 0 { pad } else { knot_pad },
+            if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad },
+        ];
+        let [below, above] = pads.map(|pad| half - pad.max(slip));
         let width = (below + above).max(0) as u32;
         let mut gradient = Gradient::new(wall, numbers, bounds.lathe.frame.root_squash, is_inside);
 
@@ -194,8 +198,19 @@ impl Numbers {
                 }
                 let (x, y, z) = (x - high(back, dx), y - high(back, dy), z - high(back, dz));
                 if z.wrapping_add(below) as u32 > width {
-                    end = TrackEnd::Left { upper: z > 0 };
-                    break 'pixels;
+                    cold_path();
+                    if is_inside || z + half < pads[0] || half - z < pads[1] {
+                        end = TrackEnd::Left { upper: z > 0 };
+                        break 'pixels;
+                    }
+                    let to_knot = half - if dz < 0 { -z } else { z };
+                    // Less than 2⁴⁸, and with 12 bits more less than 2⁶⁰: in a steep segment the slope has few.
+                    let rise = (i64::from(sigma) * i64::from(to_knot.min(slip))) << 12;
+                    let tolerance = wide(bounds.tolerance, slope_bits + 12 + numbers.p - numbers.d) + 1;
+                    if to_knot < slip && rise <= tolerance * i64::from(dz).abs() {
+                        end = TrackEnd::Uncertified;
+                        break 'pixels;
+                    }
                 }
                 let v = z << parameter_bits;
                 if sigma <= certain {

@@ -26,6 +26,10 @@ mod scenes;
 mod show {
     use embedded_graphics::{pixelcolor::Gray4, prelude::*};
 
+    // The demo's, so that it is subtracted.
+    pub const TITLE: &[u8] =
+        b"On the board's panel, 128 by 64 pixels in 16 grays: a test card, then a vase, swung about,\n\
+then a ball that goes round a pawn. 24 frames each.\n";
     pub const NAMES: [&[u8]; 1] = [b"card"];
     pub const FRAMES: u32 = 24;
 

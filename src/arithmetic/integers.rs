@@ -34,7 +34,6 @@ pub(crate) struct Numbers {
 }
 
 /// A cap or a ring, and what decides whether a ray passes through it.
-#[derive(Default)]
 pub(crate) struct Flat {
     /// Its height, in units of 2^−w, with [`Numbers::w`].
     pub z: i32,
@@ -49,6 +48,14 @@ pub(crate) struct Flat {
     pub start: i32,
     /// It is seen from above if this is 1, and from below if it is −1.
     pub up: f32,
+}
+
+impl Default for Flat {
+    /// One that no ray passes through.
+    // Not all zero: zeros would be written by `memclr`, which no other part of the crate needs.
+    fn default() -> Self {
+        Self { z: 0, inner: 1, outer: 0, tolerance: i64::MAX, least: i32::MAX, start: 0, up: 1.0 }
+    }
 }
 
 /// The s of a tracked root, in units of `unit`.

@@ -35,6 +35,7 @@
 //! as long as it has no jumps. A is at most a + S′·|dz|, with S′ the largest slope of the root's segment: so
 //! A > (S + S′)·|dz| suffices.
 
+use super::ray_row::RayRow;
 use super::skip::{Above, Path};
 use super::sweep::{Certificate, Start, Sweep};
 use crate::arithmetic::Numbers;
@@ -115,7 +116,7 @@ impl Sweep<'_> {
         };
         match before {
             Before::Clear { until } => {
-                let certain = greater(slope, self.clear_slope(i, rises, own.tolerance));
+                let certain = greater(slope, self.clear_slope(rises, own.tolerance));
                 Certification::Nearest(Certificate { certain, slope, bump, own, until: until.min(turns) })
             }
             Before::MayMeet(start) => Certification::Another(start),
@@ -127,13 +128,13 @@ impl Sweep<'_> {
     /// than the tolerance divided by the slope. It is zero if the rays begin before the solid. If they begin near
     /// it, they do so at one height: then the slope is infinite, unless all of the root's segment lies beyond that height.
     #[inline(always)]
-    fn clear_slope(&self, i: u32, rises: bool, tolerance: f32) -> f32 {
+    fn clear_slope(&self, rises: bool, tolerance: f32) -> f32 {
         let Self { bounds, root, .. } = self;
         if bounds.start == f32::NEG_INFINITY {
             return 0.0;
         }
-        let (m, d) = self.ray(i);
-        let height = m.z + bounds.start * d.z;
+        let RayRow { origin, direction, .. } = &self.direction.rays;
+        let height = origin.z + bounds.start * direction.z;
         let beyond = if rises { root.segment.low - height } else { height - root.segment.high };
         if beyond > bounds.tolerance {
             tolerance * bounds.steep / (beyond - bounds.tolerance)
@@ -160,7 +161,9 @@ impl Sweep<'_> {
         if let Some(is_rising) = self.bounds.rising {
             return (is_rising, u32::MAX);
         }
-        let (dz, change) = (self.ray(i).1.z, self.direction.rays.direction_change.z);
+        let RayRow { direction, direction_change, .. } = &self.direction.rays;
+        let change = direction_change.z;
+        let dz = direction.z + change * (i as f32 + 0.5);
         let turn = -dz / change;
         // The conversion to u32 saturates.
         (dz > 0.0, if turn > 0.0 { i.saturating_add((turn as u32).max(1)) } else { u32::MAX })

@@ -14,7 +14,9 @@ mod cubic;
 mod motion;
 
 use super::{Above, Probing};
-use crate::arithmetic::integers::{Divisor, Numbers, Rays, dot, fixed, high, power_of_two, shifted, wide};
+use crate::arithmetic::integers::{
+    Divisor, Numbers, Rays, dot, exponent, fixed, high, power_of_two, shifted, wide,
+};
 use crate::lathe::row::bounds::SPANS;
 use crate::lathe::row::sweep::{Start, Sweep};
 use crate::lathe::segment::Segment;
@@ -231,7 +233,7 @@ impl Numbers {
             let closest = path.nearest.max(from).min(to);
             let mut most_here = of_square(segment.bounding_square) - path.square(closest) + tolerance;
             if is_negative || is_above || most_here >= 0 {
-                let tolerance = of_square(bounds.tolerance_in(segment));
+                let tolerance = tolerance + shifted(of_square(bounds.slip), exponent(segment.max_slope));
                 let g = self.g_between(path, segment, (from, to), is_negative);
                 most_here = g.most() + tolerance;
                 if most_here >= 0 {

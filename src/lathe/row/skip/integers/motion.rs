@@ -13,7 +13,7 @@ impl Numbers {
     ///
     /// The motion v is computed as that over 2^`fine` pixels, so that it has as many bits as there is room
     /// for.
-    #[inline(always)]
+    #[inline(never)]
     pub(in crate::lathe::row) fn certified_run(
         self,
         sweep: &Sweep,

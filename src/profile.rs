@@ -301,7 +301,7 @@ impl<const N: usize> Profile<N> {
     }
 
     /// This profile with room for M segments instead of N. A profile that is read at run time, into as much room
-    /// as the largest may need, so gets no more than it takes: a segment of a lathe is 76 bytes.
+    /// as the largest may need, so gets no more than it takes: a segment of a lathe is 76 bytes, or 96.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, ProfileError, Segment};

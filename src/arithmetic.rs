@@ -36,7 +36,7 @@ pub(crate) use floats::*;
         )
     )
 ))]
-pub(crate) use integers::{Flat, Gloss, Length, Numbers, Pair, Rays, Seen, ToLight, Views, Wall};
+pub(crate) use integers::{Flat, Gloss, KEPT, Length, Numbers, Pair, Rays, Seen, ToLight, Views, Wall};
 
 #[cfg(test)]
 mod tests {

@@ -3,7 +3,7 @@
 use crate::math::const_fn;
 use crate::ray::Ray;
 use crate::scene_error::SceneError;
-use crate::vector::{F32x3, array, cross, difference, dot, one_norm, scale, unit, vector};
+use crate::vector::{F32x3, array, cross, difference, dot, one_norm, scale, sum, unit, vector};
 
 /// A camera: perspective or orthographic.
 ///
@@ -198,16 +198,16 @@ impl Camera {
 
     /// Does what [`Camera::ray`] does, for a column and a row that may be fractions and negative.
     #[inline(always)]
-    pub(crate) fn ray_through(&self, [x, y]: [f32; 2], width: u32, height: u32) -> Ray {
+    pub(crate) const fn ray_through(&self, [x, y]: [f32; 2], width: u32, height: u32) -> Ray {
         // Divided by infinity, the distances of all pixels from the picture's middle are zero.
         let half_pixels = if width == 0 { f32::INFINITY } else { width as f32 };
         // The pixel's centre, counted in half-pixels from the picture's centre, is a whole number.
-        let [across, down] =
-            [(x, width), (y, height)].map(|(i, of)| (2.0 * i + 1.0 - of as f32) / half_pixels);
-        let offset = self.right * across - self.up * down;
+        let across = (2.0 * x + 1.0 - width as f32) / half_pixels;
+        let down = (2.0 * y + 1.0 - height as f32) / half_pixels;
+        let offset = difference(scale(self.right, across), scale(self.up, down));
         match self.projection {
-            Projection::Perspective => Ray::new_unchecked(self.eye, self.forward + offset),
-            Projection::Orthographic => Ray::new_unchecked(self.eye + offset, self.forward),
+            Projection::Perspective => Ray::new_unchecked(self.eye, sum(self.forward, offset)),
+            Projection::Orthographic => Ray::new_unchecked(sum(self.eye, offset), self.forward),
         }
     }
 }
@@ -226,15 +226,16 @@ pub(crate) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// The ray through the centre of the pixel in column i.
-    pub fn ray(&self, i: u32) -> Ray {
-        self.camera.ray(i, self.y, self.width, self.height)
+    /// The ray through the centre of the pixel in a column of row y of the picture; both may be fractions.
+    #[inline(always)]
+    pub const fn ray(&self, column: f32, y: f32) -> Ray {
+        self.camera.ray_through([column, y], self.width, self.height)
     }
 
     /// An upper bound of |x| + |y| + |z| over the origins of the row's rays, for the rounding of each origin.
     /// In orthographic view each ray has an origin of its own: the eye plus the pixel's offset, rounded. In
     /// perspective all rays start at the eye, which is not rounded; then the result is zero.
-    pub fn origin_bound(&self) -> f32 {
+    pub const fn origin_bound(&self) -> f32 {
         let Camera { eye, right, up, projection, .. } = self.camera;
         match projection {
             Projection::Perspective => 0.0,
@@ -245,10 +246,10 @@ impl Row<'_> {
         }
     }
 
-    /// The difference between the rays of neighbouring pixels, and the projection: in perspective it is the
-    /// difference of their directions, in orthographic view that of their origins.
-    pub fn change(&self) -> (F32x3, Projection) {
-        (self.camera.right * (2.0 / self.width as f32), self.camera.projection)
+    /// How many rows the row is below the picture's middle.
+    #[inline(always)]
+    pub const fn below_middle(&self) -> f32 {
+        self.y as f32 + 0.5 - 0.5 * self.height as f32
     }
 }
 
@@ -286,7 +287,7 @@ mod tests {
             for y in [0, height / 3, height - 1, 3 * height] {
                 let row = Row { camera: &camera, y, width, height };
                 for x in [0, width / 2, width - 1] {
-                    let size = one_norm(row.ray(x).origin);
+                    let size = one_norm(camera.ray(x, y, width, height).origin);
                     assert!(size <= row.origin_bound() * (1.0 + 1.0 / 2_097_152.0), "{size} at {x}, {y}");
                     nearly += u32::from(2.0 * size > row.origin_bound());
                 }

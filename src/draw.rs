@@ -14,9 +14,8 @@ pub use placed::Placed;
 
 use crate::camera::Camera;
 use crate::color::{Paint, Rgb};
-use crate::occlusion::PaintOrder;
 use crate::pick::Pick;
-use crate::picture::{Picture, Pixels, RUNS, Raster};
+use crate::picture::{Picture, Pixels, Plan, RUNS, Raster};
 use crate::ray::Ray;
 use crate::scene::Scene;
 use core::marker::PhantomData;
@@ -155,8 +154,8 @@ impl<'a> Scene<'a> {
         let area = display.bounding_box();
         let Size { width, height } = area.size;
         // The raster borrows the scene: a `Picture` would copy it to the stack.
-        let order = &PaintOrder::of(self.solids, &self.camera);
-        let raster = Raster { scene: self, order, width, height };
+        let plan = &Plan::of(self, width, height);
+        let raster = Raster { scene: self, plan, width, height };
         match Pixels::new(&raster, (0, 0), (width, height), run) {
             Some(pixels) => display.fill_contiguous(&area, pixels),
             None => Ok(()),

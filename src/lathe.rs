@@ -35,7 +35,7 @@ mod row;
 mod segment;
 mod side;
 
-pub(crate) use row::{RayRow, RowPart, Scale, Span, Sweep};
+pub(crate) use row::{CameraRays, RayGrid, RowPart, Scale, Span, Sweep};
 pub use segment::Segment;
 
 use crate::hit::{Hit, Part};

@@ -143,8 +143,8 @@ impl Pose {
 
     /// Converts a point of the world to the solid's own space.
     #[inline]
-    pub(crate) fn point_into(&self, world: F32x3) -> F32x3 {
-        self.rotation.back(world - self.position) * (1.0 / self.scale)
+    pub(crate) const fn point_into(&self, world: F32x3) -> F32x3 {
+        scale(self.rotation.back(difference(world, self.position)), 1.0 / self.scale)
     }
 }
 

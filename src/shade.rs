@@ -16,13 +16,19 @@ pub(crate) struct Finish {
     color: Shades,
 }
 
+/// The direction to a light, in a solid's own space.
+#[inline(always)]
+pub(crate) const fn to_light(solid: &Solid, light: &Light) -> ToLight {
+    ToLight::new(solid.direction_into(light.towards), light.direct)
+}
+
 impl Finish {
     /// The material of a solid in a light, for a display of colors C; the color is the solid's, or a sheet's
-    /// own.
+    /// own. `known` is the direction to the light in the solid's own space, if that is known.
     #[inline(always)]
-    pub fn new<C: Paint>(solid: &Solid, color: &Rgb, light: &Light) -> Self {
+    pub fn new<C: Paint>(solid: &Solid, color: &Rgb, light: &Light, known: Option<ToLight>) -> Self {
         Self {
-            to_light: ToLight::new(solid.direction_into(light.towards), light.direct),
+            to_light: known.unwrap_or_else(|| to_light(solid, light)),
             ambient: light.everywhere,
             color: color.shades(most_shades::<C>()).times_four(),
         }
@@ -79,7 +85,7 @@ mod tests {
             let angle = number as f32 * 0.7;
             let towards = [libm::cosf(angle), libm::sinf(angle), libm::sinf(angle * 0.3)];
             let light = Light::new(towards, [0.0, 0.15, 0.99, 1.0][number % 4]).unwrap();
-            let finish = Finish::new::<Rgb>(&solid, &Rgb::WHITE, &light);
+            let finish = Finish::new::<Rgb>(&solid, &Rgb::WHITE, &light, None);
             let seen = Seen::new(vector(towards) * (1.0 + number as f32 / 512.0));
             let [red, _, _] = finish.matt(&seen, &finish.to_light).units();
             most = most.max(red);

@@ -313,7 +313,7 @@ impl<'a> Solid<'a> {
 
     /// A ray of the world in object space, with the same t.
     #[inline]
-    pub(crate) fn ray_into(&self, ray: &Ray) -> Ray {
+    pub(crate) const fn ray_into(&self, ray: &Ray) -> Ray {
         Ray {
             origin: self.pose.point_into(ray.origin),
             direction: self.direction_into(ray.direction),

@@ -38,7 +38,7 @@ pub(crate) const fn dot(a: F32x3, b: F32x3) -> f32 {
 
 /// The scalar product of the x and y components alone.
 #[inline(always)]
-pub(crate) fn dot_xy(a: F32x3, b: F32x3) -> f32 {
+pub(crate) const fn dot_xy(a: F32x3, b: F32x3) -> f32 {
     a.x * b.x + a.y * b.y
 }
 

@@ -3,11 +3,15 @@
 use super::{Share, integers};
 use crate::math::minmax::greater;
 use crate::math::rsqrt_of_double;
-use crate::vector::{F32x3, Vector, vector};
+use crate::vector::{F32x3, Vector, difference, dot, scale, vector};
 use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 
+/// Of how many solids a picture keeps what is the same for all of its rows: of none, since an FPU computes it
+/// again in the time that loading it takes.
+pub(crate) const KEPT: usize = 0;
+
 /// How the numbers of a sweep are held: as they are, whatever the row.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Numbers;
 
 impl Numbers {
@@ -16,7 +20,7 @@ impl Numbers {
 
     /// How the numbers of a row are held, given its `span`, a bound of D², and a bound of |M|.
     #[inline(always)]
-    pub fn new(_span: f32, _longest: f32, _far: f32) -> Self {
+    pub const fn new(_span: f32, _longest: f32, _far: f32) -> Self {
         Self
     }
 
@@ -28,7 +32,7 @@ impl Numbers {
 
     /// How far rounding can move a point, given how far it does in floats.
     #[inline(always)]
-    pub fn slip(self, slip: f32) -> f32 {
+    pub const fn slip(self, slip: f32) -> f32 {
         slip
     }
 }
@@ -101,7 +105,7 @@ pub(crate) type Pair = (f32, f32);
 /// The direction to the light in a solid's own space. Its length is √2 times the light's share in the units
 /// of a [`Share`]: so its dot product with a normal, times [`Seen::per_length`], is what Lambert's law leaves
 /// of that share.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ToLight(F32x3);
 
 /// The cosine of the angle between a normal and the direction to the light, times the light's share in the
@@ -127,16 +131,19 @@ pub(crate) struct Views {
 }
 
 impl ToLight {
+    /// No direction.
+    pub const NONE: Self = Self(vector([0.0; 3]));
+
     /// The direction of a unit vector to a light whose share is `direct`.
     #[inline(always)]
-    pub fn new(unit: F32x3, direct: f32) -> Self {
-        Self(unit * (direct * (SQRT_2 * Share::UNITS)))
+    pub const fn new(unit: F32x3, direct: f32) -> Self {
+        Self(scale(unit, direct * (SQRT_2 * Share::UNITS)))
     }
 
     /// Its mirror image in the plane with the normal n.
     #[inline(always)]
-    pub fn mirrored(self, n: F32x3) -> Self {
-        Self(self.0 - n * (2.0 * n.dot(self.0) / n.dot(n)))
+    pub const fn mirrored(self, n: F32x3) -> Self {
+        Self(difference(self.0, scale(n, 2.0 * dot(n, self.0) / dot(n, n))))
     }
 }
 
@@ -153,6 +160,9 @@ impl Gloss {
 }
 
 impl Views {
+    /// For a matt solid, which needs none.
+    pub const NONE: Self = Self { first: vector([0.0; 3]), change: vector([0.0; 3]) };
+
     /// The directions of the columns before `end`.
     #[inline(always)]
     pub fn new(first: F32x3, change: F32x3, _end: u32) -> Self {

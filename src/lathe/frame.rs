@@ -4,7 +4,7 @@
 use super::segment::{Segment, greater_or_nan};
 use crate::hit::Part;
 use crate::math::UNIT_ROUNDOFF;
-use crate::vector::{F32x3, vector};
+use crate::vector::{F32x3, difference, scale, vector};
 
 /// By how much rounding may change a length or a height at a point of a ray, relative to the sum of the
 /// solid's size and the distance of the ray's origin: 16 units of 2⁻²⁴.
@@ -177,14 +177,14 @@ impl EndPlane {
 impl Frame {
     /// A point of object space in the frame: moved, scaled, and x scaled by √k.
     #[inline(always)]
-    pub fn point(&self, p: F32x3) -> F32x3 {
-        self.squashed((p - vector([0.0, 0.0, self.middle])) * self.scale)
+    pub const fn point(&self, p: F32x3) -> F32x3 {
+        self.squashed(scale(difference(p, vector([0.0, 0.0, self.middle])), self.scale))
     }
 
     /// A vector with x scaled by √k. It is all that a ray's direction needs, whose length is not scaled: its
     /// t is multiplied by `scale` instead.
     #[inline(always)]
-    pub fn squashed(&self, v: F32x3) -> F32x3 {
+    pub const fn squashed(&self, v: F32x3) -> F32x3 {
         vector([v.x * self.root_squash, v.y, v.z])
     }
 }

@@ -3,7 +3,9 @@
 //! or, one pixel at a time, by a *single ray*.
 //!
 //! ```text
-//! bounds ─── what is known of all rays, set once
+//! grid ───── the rays of a picture, and what is known of all of them
+//!   │
+//! bounds ─── what is known of the rays of a row
 //!   │
 //! sweep ──── the state: bounds, direction, the root that is tracked; setup makes one
 //!   │
@@ -20,6 +22,7 @@
 mod bounds;
 mod certify;
 mod flat;
+mod grid;
 mod ray_row;
 mod setup;
 mod skip;
@@ -28,5 +31,5 @@ mod sweep;
 mod track;
 
 pub(crate) use bounds::RowPart;
-pub(crate) use ray_row::RayRow;
+pub(crate) use grid::{CameraRays, RayGrid};
 pub(crate) use sweep::{Scale, Span, Sweep};

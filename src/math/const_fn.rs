@@ -25,6 +25,19 @@ pub const fn sqrt(x: f32) -> f32 {
     y
 }
 
+/// Returns an upper bound of √x, above it by at most 6.1 % and less rounding, for positive normal x. For zero
+/// and subnormal x it is positive, for infinity and NaN it is that.
+///
+/// It is the mean of p and x/p, never less than their geometric mean, √x. The power of two p is between √(x/2)
+/// and √(2·x): so the bound is largest for x = 2, 3/2.
+pub const fn upper_root(x: f32) -> f32 {
+    // Half of the exponent, rounded up; the bias is 127.
+    let half = ((x.to_bits() >> 23) as i32 - 126) >> 1;
+    let (p, per_p) =
+        (f32::from_bits(((127 + half) as u32) << 23), f32::from_bits(((127 - half) as u32) << 23));
+    0.5 * (p + x * per_p)
+}
+
 /// Returns the sine and the cosine of an angle in radians. Each is within 2·10⁻⁷ for |angle| up to 10 000;
 /// both are NaN for |angle| of 10 001 or more, and for NaN; between 10 000 and 10 001 either may be the case.
 ///
@@ -51,5 +64,27 @@ pub const fn sin_cos(angle: f32) -> (f32, f32) {
         1 => (cos, -sin),
         2 => (-sin, -cos),
         _ => (-cos, sin),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::upper_root;
+
+    #[test]
+    fn an_upper_root_is_just_above_the_root() {
+        let mut worst: f32 = 0.0;
+        for bits in (f32::MIN_POSITIVE.to_bits()..f32::INFINITY.to_bits()).step_by(99_991) {
+            let x = f32::from_bits(bits);
+            let ratio = f64::from(upper_root(x)) / f64::from(x).sqrt();
+            assert!((1.0 - 1e-7..1.0607).contains(&ratio), "{ratio} for {x}");
+            worst = worst.max(ratio as f32);
+        }
+        assert!(worst > 1.0605, "the bound is slack: {worst}");
+        assert!(
+            upper_root(f32::INFINITY) == f32::INFINITY
+                && upper_root(f32::NAN).is_nan()
+                && upper_root(0.0) > 0.0
+        );
     }
 }

@@ -3,7 +3,6 @@
 use super::solid_row::SolidRays;
 use crate::arithmetic::{Pair, Seen, ToLight};
 use crate::color::Paint;
-use crate::lathe::Sweep;
 use crate::shade::Finish;
 
 /// What colors a sheet of a solid on a part of a row. The part's pixels are numbered from its left end.
@@ -21,13 +20,12 @@ pub(super) struct Brush<'a> {
 }
 
 impl<'a> Brush<'a> {
-    /// The brush for a part that begins in column x, given the sheet's material, its rays and its
-    /// sweep along the part.
+    /// The brush for a part that begins in column x, given the sheet's material, its rays and, if the left
+    /// half of the part is the mirror image of the right half, the mirrored light.
     #[inline(always)]
-    pub fn new(finish: Finish, rays: &'a SolidRays<'a>, sweep: &Sweep, x: u32) -> Self {
-        let to_light = finish.to_light;
-        let mirrored = sweep.mirror().map_or(to_light, |n| to_light.mirrored(n));
-        Self { rays, finish, is_mirrored: sweep.mirror().is_some(), mirrored, x }
+    pub fn new(finish: Finish, rays: &'a SolidRays<'a>, mirrored: Option<ToLight>, x: u32) -> Self {
+        let (is_mirrored, mirrored) = (mirrored.is_some(), mirrored.unwrap_or(finish.to_light));
+        Self { rays, finish, is_mirrored, mirrored, x }
     }
 
     /// The direction to the light, in the solid's own space, not mirrored: [`Finish::to_light`].

@@ -43,7 +43,8 @@ impl<'a, C: Paint> Pixels<'a, C> {
     #[inline]
     fn compute_run(&mut self) {
         let (row, column) = (self.next / self.width, self.next % self.width);
-        let within = column % self.capacity;
+        // One division less where `run` has a whole row.
+        let within = if self.capacity >= self.width { column } else { column % self.capacity };
         let begin = column - within;
         self.run_start = self.next - within;
         self.ready = self.capacity.get().min(self.width.get() - begin);

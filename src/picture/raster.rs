@@ -1,8 +1,10 @@
 //! A scene as a grid of pixels, by reference: what rows are computed from.
 
+use super::aspect::Aspect;
 use super::brush::Brush;
 use super::canvas::{Canvas, Part};
 use super::depth::{Block, Depths};
+use super::plan::Plan;
 use super::solid_row::SolidRow;
 use crate::camera::Row;
 use crate::color::{Paint, most_shades};
@@ -30,14 +32,14 @@ const MOST_DEPTHS: usize = 240;
 /// The same for parts that are no longer than this.
 const FEW_DEPTHS: usize = RUNS[1];
 
-/// A scene, the size of its picture in pixels, and the order in which its solids are painted.
+/// A scene, the size of its picture in pixels, and what is computed once for the picture.
 ///
 /// It borrows what a [`Picture`](super::Picture) owns: a frame that is drawn keeps no copy of the scene on
 /// the stack.
 #[derive(Clone, Copy)]
 pub(crate) struct Raster<'a> {
     pub scene: &'a Scene<'a>,
-    pub order: &'a PaintOrder,
+    pub plan: &'a Plan,
     pub width: u32,
     pub height: u32,
 }
@@ -55,7 +57,7 @@ impl Raster<'_> {
         };
         self.background(x, y, part);
         let row = Row { camera: &self.scene.camera, y, width: self.width, height: self.height };
-        let PaintOrder { block, beyond, .. } = *self.order;
+        let PaintOrder { block, beyond, .. } = self.plan.order;
         let mut part = Part { row: &row, x, run: part, depths: None };
         self.paint(0..block, &mut part);
         if block < beyond {
@@ -82,7 +84,7 @@ impl Raster<'_> {
     /// all of them infinite, before and after.
     #[inline(never)]
     fn by_depth<C: Paint>(&self, part: &mut Part<C>, nearest: &mut [f32]) {
-        let Self { scene: Scene { solids, .. }, order, .. } = *self;
+        let Self { scene: Scene { solids, .. }, plan: Plan { order, .. }, .. } = *self;
         let mut x = part.x;
         // Chunks of no pixels would be a panic.
         for run in part.run.chunks_mut(nearest.len().max(1)) {
@@ -107,28 +109,38 @@ impl Raster<'_> {
     /// Paints the solids of some ranks on a part of a row, a body sheet by sheet.
     #[inline(never)]
     fn paint<C: Paint>(&self, ranks: Range<usize>, part: &mut Part<C>) {
+        let j = part.row.below_middle();
         for rank in ranks {
-            let Some(solid) = self.scene.solids.get(self.order.index(rank)) else { return };
+            let index = self.plan.order.index(rank);
+            let Some(solid) = self.scene.solids.get(index) else { return };
+            let mut kept = if part.row.y < self.height { self.plan.aspects.get(index) } else { None };
             for sheet in solid.sheets() {
-                self.sheet(solid, sheet, part);
+                let kept = kept.take();
+                if !kept.is_some_and(|aspect| aspect.grid.passes_by(j)) {
+                    self.sheet(solid, sheet, kept, part);
+                }
             }
         }
     }
 
-    /// Paints one sheet of a solid on a part of a row. This function is not inlined: in the loop of its caller
-    /// it would take more stack.
+    /// Paints one sheet of a solid on a part of a row. `kept` is its aspect in the picture, if that is known.
+    /// This function is not inlined: in the loop of its caller it would take more stack.
     #[inline(never)]
-    fn sheet<C: Paint>(&self, solid: &Solid, sheet: &Sheet, part: &mut Part<C>) {
+    fn sheet<C: Paint>(&self, solid: &Solid, sheet: &Sheet, kept: Option<&Aspect>, part: &mut Part<C>) {
         // `along` stays whole: a pattern that moves the sweep and the rays out of it would copy both.
-        let mut along = SolidRow::new(solid, sheet, part.row, part.columns(), part.depths.is_some());
+        let mut along = SolidRow::new(solid, sheet, kept, part.row, part.columns(), part.depths.is_some());
         if along.sweep.is_culled() {
             return;
         }
         if let Some(depths) = &mut part.depths {
             depths.begin(&along.sweep);
         }
-        let finish = Finish::new::<C>(solid, solid.color_of(sheet), &self.scene.light);
-        let brush = Brush::new(finish, &along.rays, &along.sweep, part.x);
+        let known = kept.map(|aspect| aspect.to_light);
+        let finish = Finish::new::<C>(solid, solid.color_of(sheet), &self.scene.light, known);
+        let mirror = along.sweep.mirror();
+        let mirrored =
+            mirror.map(|n| kept.map_or_else(|| finish.to_light.mirrored(n), |aspect| aspect.mirrored));
+        let brush = Brush::new(finish, &along.rays, mirrored, part.x);
         let mut canvas = Canvas { brush, run: part.run, depths: part.depths.as_deref_mut() };
         loop {
             canvas.half_row(&mut along.sweep);

@@ -1,16 +1,16 @@
 //! A solid along a row of pixels: its sweep, and the rays that the sweep leaves to be cast one by one.
 
+use super::aspect::{Aspect, grid, ray};
 use crate::arithmetic::{Seen, Views};
-use crate::camera::{Projection, Row};
+use crate::camera::Row;
 use crate::hit::Hit;
-use crate::lathe::{RayRow, RowPart, Sweep};
+use crate::lathe::{RowPart, Sweep};
 use crate::ray::Ray;
 use crate::sheet::Sheet;
 use crate::solid::Solid;
 use crate::solve::Newton;
-use crate::vector::vector;
 
-/// A solid along a part of a row.
+/// A sheet of a solid along a part of a row.
 pub(super) struct SolidRow<'a> {
     pub rays: SolidRays<'a>,
     pub sweep: Sweep<'a>,
@@ -26,27 +26,29 @@ pub(super) struct SolidRays<'a> {
 }
 
 impl<'a> SolidRow<'a> {
-    /// Sets up the sweep of a solid's sheet along the columns of a row from `start` to before `end`.
+    /// Sets up the sweep of a solid's sheet along the columns of a row from `start` to before `end`. `kept` is
+    /// the sheet's aspect in the picture, if that is known; then the row's plane must not pass the solid by.
     /// `has_depth` is whether distances are compared with those of other sheets and solids.
     #[inline(never)]
     pub fn new(
         solid: &'a Solid<'a>,
         sheet: &'a Sheet<'a>,
+        kept: Option<&Aspect>,
         row: &'a Row<'a>,
         (start, end): (u32, u32),
         has_depth: bool,
     ) -> Self {
-        let Ray { origin, direction, unit } = ray(solid, row, 0);
-        let (change, projection) = row.change();
-        let (change, zero) = (solid.direction_into(change), vector([0.0; 3]));
-        let (origin_change, direction_change) = match projection {
-            Projection::Perspective => (zero, change),
-            Projection::Orthographic => (change * unit, zero),
+        let own;
+        let (grid, j) = match kept {
+            Some(aspect) => (&aspect.grid, Some(row.below_middle())),
+            None => {
+                own = grid(solid, sheet.lathe(), row, row.y as f32, 0.0);
+                (&own, None)
+            }
         };
-        let rays = RayRow { origin, origin_change, direction, direction_change };
-        let part = RowPart { width: row.width, start, end, has_depth };
-        let sweep = sheet.lathe().sweep(&rays, unit, row.origin_bound(), &part);
-        let views = Views::new(direction, direction_change, end);
+        let columns = RowPart { width: row.width, start, end, has_depth };
+        let sweep = sheet.lathe().sweep(grid, j, &columns);
+        let views = if solid.shininess() == 0 { Views::NONE } else { grid.views(j, row.width, end) };
         Self { rays: SolidRays { solid, sheet, row, views }, sweep }
     }
 }
@@ -57,7 +59,7 @@ impl SolidRays<'_> {
     #[inline(never)]
     pub fn cast(&self, sweep: &mut Sweep, i: u32, column: u32) -> Option<(Seen, f32)> {
         let Self { solid, sheet, .. } = *self;
-        let ray = ray(solid, self.row, column);
+        let ray = ray(solid, self.row, column as f32, self.row.y as f32);
         // By reference: a copy would stay on the stack.
         let hit = &nearest(sheet, &ray);
         let hit = hit.as_ref()?;
@@ -68,16 +70,9 @@ impl SolidRays<'_> {
     /// The t at which a column's ray first meets a sheet of a solid; infinite if it misses.
     #[inline(never)]
     pub fn distance(&self, solid: &Solid, sheet: &Sheet, column: u32) -> f32 {
-        let ray = ray(solid, self.row, column);
+        let ray = ray(solid, self.row, column as f32, self.row.y as f32);
         nearest(sheet, &ray).map_or(f32::INFINITY, |hit| hit.t)
     }
-}
-
-/// The ray of a column of a row in a solid's own space. Not inline: what it computes would stay on the stack
-/// of those that cast it.
-#[inline(never)]
-fn ray(solid: &Solid, row: &Row, column: u32) -> Ray {
-    solid.ray_into(&row.ray(column))
 }
 
 /// The first hit of a sheet by a ray in its solid's own space, or `None` if it misses. The ray's traversal

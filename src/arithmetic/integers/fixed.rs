@@ -86,7 +86,7 @@ pub(crate) const fn shifted(x: i64, left: i32) -> i64 {
 /// The components of a vector in units of 2^−`bits`, each as by [`fixed`].
 // Always inline: a result that is returned in memory is copied from there by `memcpy`.
 #[inline(always)]
-pub(crate) fn fixed_vector(v: F32x3, bits: i32) -> [i32; 3] {
+pub(crate) const fn fixed_vector(v: F32x3, bits: i32) -> [i32; 3] {
     [fixed(v.x, bits), fixed(v.y, bits), fixed(v.z, bits)]
 }
 
@@ -98,8 +98,15 @@ pub(crate) const fn exponent(x: f32) -> i32 {
 
 /// 2^e; 2⁻¹²⁶ for a lower e, 2¹²⁷ for a higher one.
 #[inline(always)]
-pub(crate) fn power_of_two(e: i32) -> f32 {
-    f32::from_bits(((127 + e.clamp(-126, 127)) as u32) << 23)
+pub(crate) const fn power_of_two(e: i32) -> f32 {
+    let e = if e < -126 {
+        -126
+    } else if e > 127 {
+        127
+    } else {
+        e
+    };
+    f32::from_bits(((127 + e) as u32) << 23)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::{exponent, fixed, fixed_vector, high, root_of_quarter, square};
 use crate::arithmetic::Share;
-use crate::vector::{F32x3, Vector, largest, vector};
+use crate::vector::{F32x3, difference, dot, largest, scale, vector};
 
 /// A visible sample of the surface.
 #[derive(Clone, Copy)]
@@ -23,7 +23,7 @@ pub(crate) struct Direction {
 pub(crate) type Pair = (i32, i32);
 
 /// The direction to the light in a solid's own space, and the light's share.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ToLight {
     /// A unit vector, in units of 2⁻³¹.
     unit: [i32; 3],
@@ -53,16 +53,21 @@ pub(crate) struct Views {
 }
 
 impl ToLight {
+    /// No light.
+    pub const NONE: Self = Self { unit: [0; 3], direct: 0 };
+
     /// The direction of a unit vector to a light whose share is `direct`.
     #[inline(always)]
-    pub fn new(unit: F32x3, direct: f32) -> Self {
+    pub const fn new(unit: F32x3, direct: f32) -> Self {
         Self { unit: fixed_vector(unit, 31), direct: fixed(direct, 31) }
     }
 
     /// Its mirror image in the plane with the normal n.
-    pub fn mirrored(self, n: F32x3) -> Self {
-        let to_light = vector(self.unit.map(|x| x as f32 * (1.0 / (1_u32 << 31) as f32)));
-        Self { unit: fixed_vector(to_light - n * (2.0 * n.dot(to_light) / n.dot(n)), 31), ..self }
+    pub const fn mirrored(self, n: F32x3) -> Self {
+        let [x, y, z] = self.unit;
+        let to_light = scale(vector([x as f32, y as f32, z as f32]), 1.0 / (1_u32 << 31) as f32);
+        let image = difference(to_light, scale(n, 2.0 * dot(n, to_light) / dot(n, n)));
+        Self { unit: fixed_vector(image, 31), direct: self.direct }
     }
 }
 
@@ -74,6 +79,9 @@ impl Gloss {
 }
 
 impl Views {
+    /// For a matt solid, which needs none.
+    pub const NONE: Self = Self { first: [0; 3], change: [0; 3], finer: 0 };
+
     /// The directions of the columns before `end`.
     #[inline(always)]
     pub fn new(first: F32x3, change: F32x3, end: u32) -> Self {

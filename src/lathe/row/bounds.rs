@@ -1,21 +1,15 @@
 //! What is known of all rays of a part of a row: where they pass the solid, by how much they differ, and at
 //! which pixel to begin.
 
+use super::grid::{RayGrid, TOLERANCE, WIDENED};
 use super::ray_row::RayRow;
 use crate::arithmetic::Numbers;
-use crate::lathe::frame::{LENGTH_TOLERANCE, View};
+use crate::lathe::frame::View;
 use crate::lathe::segment::Segment;
+use crate::math::const_fn::upper_root;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
-use crate::vector::{F32x3, cross, dot, dot_xy, one_norm, vector};
-
-/// The half-width, in g, of the *undecided band* about zero; what rounding can do comes on top.
-///
-/// The value is a choice. It is 128 times the error in s that Newton's method leaves ([`ROOT`]). Where the
-/// radius is r, g changes by 2·r times as much as the radius does. So a change of g by the tolerance is a
-/// change of the radius by 2⁻¹³/r. In the frame the solid's largest radius is between 1 and 2: at that radius
-/// the change is about a hundredth of a pixel if the solid is 240 pixels wide.
-const TOLERANCE: f32 = 1.0 / 4096.0;
+use crate::vector::{F32x3, dot, dot_xy, one_norm};
 
 /// The error in s that the last Newton step may leave, 2⁻¹⁹: s is counted in lengths of the ray's
 /// direction.
@@ -27,22 +21,6 @@ const ROOT: f32 = 1.0 / 524_288.0;
 /// A bound of what the additions of a run of tracked pixels can do to g: a sixteenth of the tolerance, see
 /// `track.rs`.
 const ADDITIONS: f32 = TOLERANCE / 16.0;
-
-/// The bounds are of no use if the tolerance is not less than this: a quarter of the least value that the
-/// square of the solid's largest radius can have in the frame, which is 1.
-const MOST_TOLERANCE: f32 = 0.25;
-
-/// The factor by which the ball around the solid is enlarged, so that a ray outside of it misses by more than
-/// the tolerance. The ball's own radius R is at least 1. At a point outside of the enlarged ball, at a height
-/// of the solid, g ≤ −(1.125² − 1)·R² < −0.26; and the tolerance of a usable row is below [`MOST_TOLERANCE`].
-const WIDENED: f32 = 1.125;
-
-/// Within the pixels that one probe certifies, the point of a given height may move along the rays by this
-/// many times [`RowBounds::span`].
-///
-/// The value is a choice. If it is larger, a probe may hold for more pixels, but it has to bound g along a
-/// longer part of its ray.
-pub(super) const SPANS: f32 = 4.0;
 
 /// A part of a row of `width` pixels: the columns from `start` to before `end`.
 pub(crate) struct RowPart {
@@ -61,7 +39,7 @@ pub(super) struct RowBounds<'a> {
     pub numbers: Numbers,
     /// Whether none of the rays comes near the solid.
     pub is_culled: bool,
-    /// Whether the bounds are of use. They are not if the rays spread too wide; if they begin so far away
+    /// Whether the bounds are of use. They are not if the span is too long; if the rays begin so far away
     /// that rounding decides; if they are parallel and begin near the solid; if they begin at the height of
     /// an end or of a step, to within the tolerance; or if a segment has no height in the frame. Then every
     /// pixel gets a *single ray*.
@@ -147,99 +125,74 @@ impl RowPart {
 }
 
 impl<'a> RowBounds<'a> {
-    /// The bounds of a part's rays. The rays are given in the frame and counted from the middle one, whose M
-    /// and D are perpendicular. `shift` and `unit` are as in [`RowBounds`]. `rough` is an upper bound of
-    /// |x| + |y| + |z| over the origins of the rays, in the frame, if each of them was rounded by itself; it
-    /// is zero if they have one origin.
-    pub fn new(lathe: View<'a>, rays: &RayRow, shift: f32, unit: f32, rough: f32, part: &RowPart) -> Self {
-        let (half, center) = (part.half(), part.center());
+    /// The bounds of the rays of a part of a row, and its rays, counted from the middle of the part. The row is
+    /// that of [`RayGrid::row`]. If it is one of a picture, its plane must not [pass](RayGrid::passes_by) the
+    /// solid by.
+    #[inline(always)]
+    pub fn new(lathe: View<'a>, grid: &RayGrid, j: Option<f32>, part: &RowPart) -> (Self, RayRow) {
         let frame = lathe.frame;
-        let RayRow { origin: m, origin_change: m1, direction: d, direction_change: d1 } = *rays;
-        // If |M + s·D| ≤ size, then |s| ≤ |M·D|/D² + size/|D|. Of the middle ray M·D is zero. D² is convex in
-        // the pixel's number, and so no less than its tangent at the middle.
-        let square = dot(d, d);
-        let least = square - 2.0 * half * dot(d, d1).abs();
-        let length = Native::sqrt(least);
-        let across = half * (dot(m, d1) + dot(m1, d)).abs() + half * half * dot(m1, d1).abs();
-        let span = (across / length + frame.size) / length;
-        let distance = shift.abs() * length + frame.size + rough;
-        // D² is convex in the pixel's number, and so largest at an end of the row. The factor is for
-        // rounding, of D as well.
-        let longest = (2.0 * square - least + half * half * dot(d1, d1)) * (1.0 + 1.0 / 1024.0);
-        let numbers = Numbers::new(span, longest, one_norm(m) + half * one_norm(m1));
-        let slip = numbers.slip(LENGTH_TOLERANCE * distance);
-        let tolerance = TOLERANCE + 2.0 * slip;
-        // If any of the rays meets the ball, the middle one meets a ball that is larger by the distance
-        // between the two rays.
-        let near = WIDENED * frame.size + slip + half * (one_norm(m1) + span * one_norm(d1));
-        let is_outside_ball = dot(m, m) > near * near;
+        let half = part.half();
+        let from_middle = part.center() - (0.5 * part.width as f32 - 0.5);
+        let (mut rays, normal) = grid.row(frame, j);
+        let is_whole = part.end - part.start == part.width;
+        if !is_whole {
+            (rays.origin, rays.direction) = rays.at(from_middle);
+        }
+        let is_outside_ball = !(is_whole && j.is_some())
+            && is_outside_ball(grid, &rays, half, WIDENED * frame.size + grid.slip);
+        let RayRow { direction: d, direction_change: d1, .. } = rays;
         let steep = d.z.abs() + half * d1.z.abs();
-        // q is D² less dz².
-        let q = greater(0.0, least - steep * steep);
-        let height_step = m1.z.abs() + span * d1.z.abs();
-        // The bounds are of use if no direction is shorter than half the middle one, so that the spread of
-        // the rays no more than doubles a bound; if the rays begin before −span, or at one place; if the
-        // tolerance is small; and if every segment has a height in the frame.
-        let begins_before = shift > span + slip;
-        let start = if begins_before { f32::NEG_INFINITY } else { -shift };
-        let is_usable = least > 0.25 * square
-            && (begins_before || rough == 0.0)
-            && tolerance < MOST_TOLERANCE
-            && frame.max_slope < f32::INFINITY
-            && frame.curvature < f32::INFINITY;
-
-        let Plane { height, spread } = Plane::of(rays, span, frame.bounding_square + tolerance);
-        let spread = spread + slip;
+        // D² less dz² is convex in the pixel's number, and so no less than its tangent at the middle.
+        let q = greater(0.0, dot_xy(d, d) - 2.0 * half * dot_xy(d, d1).abs());
+        let tolerance = grid.tolerance();
+        let Plane { height, spread } = Plane::of(&rays, normal, frame.bounding_square + tolerance);
+        let spread = spread + grid.slip;
         let (low, high) = (greater(frame.low, height - spread), lesser(frame.high, height + spread));
+        let start = if grid.begins_before { f32::NEG_INFINITY } else { -grid.shift };
+        let mut is_usable = grid.is_usable;
+        if start > f32::NEG_INFINITY {
+            // Rounding must not decide on which side of the plane of an end or of a step the rays begin.
+            is_usable &= !lathe.is_near_edge(rays.origin.z + start * d.z, tolerance);
+        }
         let is_culled = is_outside_ball || is_usable && low > high;
-        let is_mirrored = !is_culled && is_usable && {
-            // Two pixels at the same distance from the middle on either side must agree, to half of what
-            // rounding can do: in g at the same s; in the height, which counts at the solid's ends; and in
-            // how near the plane between them passes the axis. Rounding can change g by 2 + S times the slip,
-            // where S is the largest |dF/dz|. The disagreement in g is computed for S = 1; when S grows by 1,
-            // it grows by `4·half·height_step`, and what rounding can do by the slip.
-            let asymmetry = 2.0 * asymmetry(rays, span, height_step);
-            frame.squash == 1.0
-                && (part.end - part.start).is_multiple_of(2)
-                && half * asymmetry < 2.0 * slip
-                && 4.0 * half * height_step <= slip
-                && asymmetry < slip * one_norm(m1)
-        };
-        let middle = if is_culled {
-            part.start
-        } else if is_mirrored {
-            part.start + (part.end - part.start) / 2
+        let is_mirrored = grid.is_mirrored
+            && is_usable
+            && part.start + part.end == part.width
+            && (part.end - part.start).is_multiple_of(2);
+        let middle = if is_mirrored {
+            part.width / 2
         } else {
             let height = lesser(frame.high, greater(frame.low, height));
-            let pixel = center + nearest_pixel(rays, vector([0.0, 0.0, height]));
-            part.start.max(part.end.min((pixel + 0.5) as u32))
+            let pixel = 0.5 * part.width as f32 + grid.axis_column(height);
+            // The conversion to u32 saturates; NaN becomes zero.
+            part.start.max(part.end.min(pixel as u32))
         };
         let has_one_side = is_usable && d.z.abs() > half * d1.z.abs();
-        let least_slope = if part.has_depth { 0.0625 * Native::sqrt(longest) } else { 0.0 };
-        Self {
+        let bounds = Self {
             lathe,
-            numbers,
+            numbers: Numbers::new(grid.span, grid.longest, grid.far),
             is_culled,
             is_usable,
             start,
-            shift,
-            unit,
+            shift: grid.shift,
+            unit: grid.unit,
             middle,
             left: middle - part.start,
             is_mirrored,
-            span,
+            span: grid.span,
             low,
             high,
             steep,
             max_convexity: q / (steep * steep),
             rising: has_one_side.then_some(d.z > 0.0),
-            drift: height_step / (SPANS * span),
-            slip,
+            drift: grid.drift,
+            slip: grid.slip,
             tolerance,
             knot_tolerance: if frame.has_rings { tolerance } else { 0.0 },
-            longest,
-            least_slope,
-        }
+            longest: grid.longest,
+            least_slope: if part.has_depth { 0.0625 * upper_root(grid.longest) } else { 0.0 },
+        };
+        (bounds, rays)
     }
 }
 
@@ -278,14 +231,15 @@ impl RowBounds<'_> {
     }
 }
 
-/// A bound of the difference of g, at the same s within the span, between the rays one pixel before the
-/// middle and one pixel after it. `drop` bounds how much F changes from one pixel to the next at the same s.
-/// Between the rays n pixels before the middle and n pixels after it, the difference is n times as large:
-/// x² + y² is quadratic in the pixel's number, and only its linear term differs.
-fn asymmetry(rays: &RayRow, span: f32, drop: f32) -> f32 {
+/// Whether no ray of a part of a row meets a ball about the frame's origin, given its radius. The rays are
+/// counted from the middle of the part, `half` to either side.
+fn is_outside_ball(grid: &RayGrid, rays: &RayRow, half: f32, radius: f32) -> bool {
     let RayRow { origin: m, origin_change: m1, direction: d, direction_change: d1 } = *rays;
-    let odd = dot_xy(m, d1) + dot_xy(m1, d);
-    4.0 * (dot_xy(m, m1).abs() + span * (odd.abs() + span * dot_xy(d, d1).abs())) + 2.0 * drop
+    // If any of the rays meets the ball, the middle one meets a ball that is larger by the distance between
+    // the two rays.
+    let near = radius + half * (one_norm(m1) + grid.span * one_norm(d1));
+    let nearest = m - d * (dot(m, d) / dot(d, d));
+    dot(nearest, nearest) > near * near
 }
 
 /// The plane of a row's rays.
@@ -297,27 +251,14 @@ struct Plane {
 }
 
 impl Plane {
-    /// The plane of the rays, given a positive `span`, and the square of the cylinder's radius as `square`.
+    /// The plane of the rays, given its normal and the square of the cylinder's radius.
     ///
     /// At each height the plane has a level line. The distance of that line from the axis is proportional to
     /// the difference between its height and the height at which the plane meets the axis.
     #[inline(always)]
-    fn of(rays: &RayRow, span: f32, square: f32) -> Self {
-        // The plane is spanned by a ray's direction and the change from one ray's point to the next one's, at
-        // s = span. At the s of a common origin that change would be zero.
-        let normal = cross(rays.origin_change + rays.direction_change * span, rays.direction);
+    fn of(rays: &RayRow, normal: F32x3, square: f32) -> Self {
         let per_z = 1.0 / normal.z;
         let spread = Native::sqrt(square * dot_xy(normal, normal)) * per_z.abs();
         Self { height: dot(normal, rays.origin) * per_z, spread }
     }
-}
-
-/// The approximate number of the pixel whose ray passes nearest to a point, counted from the middle of the
-/// part. It is not rounded to a whole number.
-fn nearest_pixel(rays: &RayRow, point: F32x3) -> f32 {
-    let RayRow { origin, origin_change, direction, direction_change } = *rays;
-    let there = point - origin;
-    let along = dot(there, direction) / dot(direction, direction);
-    let change = origin_change + direction_change * along;
-    dot(there - direction * along, change) / dot(change, change)
 }

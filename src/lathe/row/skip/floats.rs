@@ -4,7 +4,7 @@ use super::{Above, FALL, Probing};
 use crate::arithmetic::floats::{Numbers, Rays};
 use crate::cubic::{Cubic, quadratic_max_on};
 use crate::lathe::ray::LocalRay;
-use crate::lathe::row::bounds::SPANS;
+use crate::lathe::row::grid::SPANS;
 use crate::lathe::row::sweep::{Start, Sweep};
 use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};

@@ -17,7 +17,7 @@ use super::{Above, Probing};
 use crate::arithmetic::integers::{
     Divisor, Numbers, Rays, dot, exponent, fixed, high, power_of_two, shifted, wide,
 };
-use crate::lathe::row::bounds::SPANS;
+use crate::lathe::row::grid::SPANS;
 use crate::lathe::row::sweep::{Start, Sweep};
 use crate::lathe::segment::Segment;
 use cubic::Cubic;

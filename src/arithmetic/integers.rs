@@ -70,8 +70,8 @@ pub(crate) struct Length {
 }
 
 impl Length {
-    /// The length as a float. This takes a conversion and a product, so it is called only for pixels that need
-    /// the number.
+    /// The length as a float. This takes a conversion and a product, so it is called only for pixels that
+    /// need the number.
     #[inline(always)]
     pub fn float(self) -> f32 {
         self.units as f32 * self.unit
@@ -94,17 +94,18 @@ impl Numbers {
         Self { s: 30 - s, d: 31 - d, p, w: if p - 3 < most { p - 3 } else { most } }
     }
 
-    /// How far rounding can move a point, given how far it does in floats, which is added: M and D are
-    /// floats before they are integers.
+    /// How far rounding can move a point in this arithmetic, given how far it can in floats. The two add up,
+    /// since M and D are floats before they are integers.
     ///
-    /// A coordinate of M is rounded by half a unit of 2^−w, and so is its change times the pixel's number; the
-    /// sum is rounded down: 2 units. A component of D is off by half a unit of 2^−d and 4 more, and is rounded
-    /// down: 5.5 units.
+    /// A coordinate of M is rounded by half a unit of 2^−w, and so is its change times the pixel's number;
+    /// the sum is rounded down: 2 units. A component of D is rounded by half a unit of 2^−d; its change,
+    /// which has three bits fewer, times the pixel's number by four units; the sum is rounded down: 5.5
+    /// units.
     ///
-    /// - In a probe, |s| is less than a sixth of 2³²: M, a sixth of D and the product, which is rounded down,
-    ///   are 4 units of 2^−w together.
+    /// - In a probe, |s| is less than a sixth of 2³²: the errors of M, of a sixth of D, and of the
+    ///   product s·D, which is rounded down, are less than 4 units of 2^−w together.
     /// - In the loop, a change is rounded by half a unit of 2^−p, and of 2^−d, and added up to 64 times
-    ///   ([`MOST_PIXELS`](crate::lathe::MOST_PIXELS)); |s| is less than a quarter of 2³², and two products are
+    ///   (`MOST_PIXELS` in `track.rs`); |s| is less than a quarter of 2³², and two products are
     ///   rounded down. Beside M's 2 units of 2^−w that is 32 + (5.5 + 32)/4 + 2 units of 2^−p.
     pub const fn slip(self, slip: f32) -> f32 {
         slip + 44.0 * power_of_two(-self.p) + 4.0 * power_of_two(-self.w)

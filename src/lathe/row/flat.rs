@@ -38,6 +38,9 @@ impl Sweep<'_> {
     #[inline(never)]
     fn flat_on_either(&mut self, i: u32, first: usize, rises: bool) -> Option<Span> {
         for number in [first, self.root.plane] {
+            if number > self.bounds.lathe.frame.len {
+                break;
+            }
             let Some(KnotPlane { z, below, above }) = self.bounds.lathe.plane(number) else { break };
             let (inner, outer) = (lesser(below, above), greater(below, above));
             // A cap reaches to the axis: it has no inner rim, and no r² is negative.

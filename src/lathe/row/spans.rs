@@ -2,7 +2,7 @@
 
 use super::certify::Certification;
 use super::skip::Probe;
-use super::sweep::{NEWTON_STEPS, Span, Start, Sweep, TrackEnd};
+use super::sweep::{NEWTON_STEPS, RETRY, Span, Start, Sweep, TrackEnd};
 use crate::hit::{Hit, Part};
 
 impl Sweep<'_> {
@@ -33,6 +33,9 @@ impl Sweep<'_> {
                 return span;
             }
             if self.root.probed == i {
+                if !self.root.is_spent(i) {
+                    self.root.spent = self.root.spent.max(i) + RETRY;
+                }
                 return Span::Single;
             }
             if let Probe::Misses { to } = self.search(i) {
@@ -126,12 +129,15 @@ impl Sweep<'_> {
     }
 
     /// To be called with the hit of a single ray, cast for the i-th pixel or for its mirror image. If it is
-    /// on the wall, and the bounds are of use, this begins to track a root there, and the next pixel is not
-    /// probed for a miss: its ray most likely hits as well.
+    /// on the wall, and the bounds are of use, this begins to track a root there, unless too many single rays
+    /// have done so in vain; and the next pixel is not probed for a miss: its ray most likely hits as well.
     pub fn found(&mut self, i: u32, hit: &Hit) {
         if hit.part == Part::Wall && self.bounds.is_usable {
             let s = hit.t * self.bounds.unit - self.bounds.shift;
             self.root.probed = i + 1;
+            if self.root.is_spent(i) {
+                return;
+            }
             self.root.begin(Start { index: hit.segment, s, sign: if hit.enters { 1.0 } else { -1.0 } });
             self.root.tries = NEWTON_STEPS;
         }

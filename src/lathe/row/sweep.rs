@@ -22,6 +22,14 @@ use core::ops::Range;
 /// longer lies beside a double root, in the *undecided band*.
 pub(super) const NEWTON_STEPS: u8 = 4;
 
+/// How many pixels a single ray counts for in [`TrackedRoot::spent`]. So where one pixel after another is a
+/// single ray, one of this many begins to track the root that it finds.
+pub(super) const RETRY: u32 = 4;
+
+/// How far ahead of the row's pixels [`TrackedRoot::spent`] may be. The value is a choice: it is that of a dozen
+/// single rays, more than there are at a silhouette.
+const PATIENCE: u32 = 48;
+
 /// Neighbouring pixels that are computed in the same way. The span begins with the i-th pixel, the one that
 /// [`Sweep::next`] was asked for; `to` is the pixel after the last one.
 pub(crate) enum Span {
@@ -103,6 +111,9 @@ pub(super) struct TrackedRoot<'a> {
     /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
     /// there is none.
     pub probed: u32,
+    /// [`RETRY`] pixels more for each single ray, counted from the pixel that the row was at. Where this is far
+    /// ahead, single rays find roots that cannot be tracked, at a wall as low as a ring, for example.
+    pub spent: u32,
     /// The number of the knot on whose plane the next pixels may see a cap or a ring; `usize::MAX` if there
     /// is none.
     pub plane: usize,
@@ -174,9 +185,15 @@ impl<'a> TrackedRoot<'a> {
             end: None,
             tries: NEWTON_STEPS,
             probed: u32::MAX,
+            spent: 0,
             plane: usize::MAX,
             start: None,
         }
+    }
+
+    /// Whether so many of the pixels before the i-th were single rays that what this one hits is not tracked.
+    pub fn is_spent(&self, i: u32) -> bool {
+        self.spent > i.saturating_add(PATIENCE)
     }
 
     /// Begins to track a root near a place. It has no certificate yet: that of the last root is ended. If the
@@ -264,6 +281,7 @@ impl Sweep<'_> {
         direction.numbers.reverse();
         (direction.is_reversed, direction.len) = (true, bounds.left);
         (root.is_tracked, root.end, root.probed, root.plane) = (false, None, u32::MAX, usize::MAX);
+        root.spent = 0;
         true
     }
 

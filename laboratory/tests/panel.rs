@@ -2,9 +2,9 @@
 //! integers in `integers/tests/panel.rs`.
 //!
 //! ```text
-//! cargo test --test panel -- --ignored --skip write       needs qemu-system-arm and the two targets cargo test
-//! --test panel -- --ignored write       docs/panel.png and docs/outlines/vase-panel.png, as the Cortex-M3's panel
-//! shows them
+//! cargo test --test panel -- --ignored --skip write       needs qemu-system-arm and the two targets
+//! cargo test --test panel -- --ignored write              docs/panel.png and docs/outlines/vase-panel.png, as the
+//!                                                         Cortex-M3's panel shows them
 //! ```
 
 #[path = "../../examples/oled/card.rs"]

@@ -59,6 +59,12 @@ impl Segment {
         if b1 >= 0.0 && b2 >= 0.0 {
             return true;
         }
+        // Beside an end on the axis the first ordinate that is not zero gives the sign.
+        let leaves_axis =
+            |[end, next, after]: [f64; 3]| end > 0.0 || next > 0.0 || next == 0.0 && after >= 0.0;
+        if !leaves_axis([b0, b1, b2]) || !leaves_axis([b3, b2, b1]) {
+            return false;
+        }
         let slope = [b1 - b0, b2 - b1, b3 - b2];
         let size = b0.max(b1.abs()).max(b2.abs()).max(b3);
         bernstein::zeros(&slope).into_iter().all(|u| bernstein::value(&self.b, u) > 1e-6 * size)
@@ -78,5 +84,27 @@ impl Cubic {
         let u = (z - self.z) * self.per_height;
         let [c0, c1, c2, c3] = self.c;
         (c0 + u * (c1 + u * (c2 + u * c3)), (c1 + u * (2.0 * c2 + 3.0 * u * c3)) * self.per_height)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Segment;
+
+    #[test]
+    fn what_dips_below_zero_is_no_solid() {
+        let is_solid = |b: [f64; 4]| Segment { z: [0.0, 1.0], b }.is_solid();
+        assert!(
+            is_solid([0.0, 0.0, 1.0, 0.0])
+                && is_solid([1.0, -0.2, 0.3, 1.0])
+                && is_solid([0.0, 1.0, -0.1, 1.0])
+        );
+        // Between its ends; beside its upper end and beside its lower one, where it is tangent to the axis.
+        assert!(
+            !is_solid([1.0, -2.0, -2.0, 1.0])
+                && !is_solid([1.0, -0.1, 0.0, 0.0])
+                && !is_solid([0.0, 0.0, -0.1, 1.0])
+        );
+        assert!(!is_solid([0.0, -0.1, 1.0, 1.0]) && !is_solid([-1e-9, 1.0, 1.0, 1.0]));
     }
 }

@@ -10,7 +10,7 @@ use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 /// again in the time that loading it takes.
 pub(crate) const KEPT: usize = 0;
 
-/// How the numbers of a sweep are held: as they are, whatever the row.
+/// The format of s, D and coordinates in a row: f32, whatever the row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Numbers;
 
@@ -18,7 +18,7 @@ impl Numbers {
     /// Whether a root is certified by how fast its ray approaches the axis.
     pub const HAS_APPROACH: bool = true;
 
-    /// How the numbers of a row are held, given its `span`, a bound of D², and a bound of |M|.
+    /// The format for a row, given its `span`, a bound of D², and a bound of |M|.
     #[inline(always)]
     pub const fn new(_span: f32, _longest: f32, _far: f32) -> Self {
         Self
@@ -30,7 +30,7 @@ impl Numbers {
         Rays
     }
 
-    /// How far rounding can move a point, given how far it does in floats.
+    /// How far rounding can move a point in this arithmetic, given how far it can in floats: just as far.
     #[inline(always)]
     pub const fn slip(self, slip: f32) -> f32 {
         slip
@@ -131,16 +131,16 @@ pub(crate) struct Views {
 }
 
 impl ToLight {
-    /// No direction.
+    /// No light: a zero vector.
     pub const NONE: Self = Self(vector([0.0; 3]));
 
-    /// The direction of a unit vector to a light whose share is `direct`.
+    /// From the unit vector that points to the light, and the light's share, `direct`, which is from 0 to 1.
     #[inline(always)]
     pub const fn new(unit: F32x3, direct: f32) -> Self {
         Self(scale(unit, direct * (SQRT_2 * Share::UNITS)))
     }
 
-    /// Its mirror image in the plane with the normal n.
+    /// The mirror image of this direction in a plane with the normal n, which need not be a unit vector.
     #[inline(always)]
     pub const fn mirrored(self, n: F32x3) -> Self {
         Self(difference(self.0, scale(n, 2.0 * dot(n, self.0) / dot(n, n))))
@@ -160,7 +160,7 @@ impl Gloss {
 }
 
 impl Views {
-    /// For a matt solid, which needs none.
+    /// The directions of a matt solid, which has no highlight: all are zero.
     pub const NONE: Self = Self { first: vector([0.0; 3]), change: vector([0.0; 3]) };
 
     /// The directions of the columns before `end`.

@@ -22,7 +22,8 @@ pub(crate) use wall::Wall;
 /// them, and spares each row some two hundred operations on floats.
 pub(crate) const KEPT: usize = 6;
 
-/// How the numbers of a sweep are held: how many bits stand behind the point.
+/// The format of s, D and coordinates in a row: how many bits of each stand behind the point. With n bits a
+/// unit is 2^−n.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Numbers {
     /// Of s. On the solid |s| is less than 2³⁰ units.
@@ -83,7 +84,7 @@ impl Numbers {
     /// floats, would cost half of the probe that it saves.
     pub const HAS_APPROACH: bool = false;
 
-    /// How the numbers of a row are held, given its `span`, a bound of D², and a bound of |M|.
+    /// The format for a row, given its `span`, a bound of D², and a bound of |M|.
     pub const fn new(span: f32, longest: f32, far: f32) -> Self {
         // |s| ≤ span < 2^s; and if D² < 2^E, then |D| < 2^(E/2) ≤ 2^d.
         let d = (exponent(longest) + 1) >> 1;

@@ -53,16 +53,16 @@ pub(crate) struct Views {
 }
 
 impl ToLight {
-    /// No light.
+    /// No light: a zero vector.
     pub const NONE: Self = Self { unit: [0; 3], direct: 0 };
 
-    /// The direction of a unit vector to a light whose share is `direct`.
+    /// From the unit vector that points to the light, and the light's share, `direct`, which is from 0 to 1.
     #[inline(always)]
     pub const fn new(unit: F32x3, direct: f32) -> Self {
         Self { unit: fixed_vector(unit, 31), direct: fixed(direct, 31) }
     }
 
-    /// Its mirror image in the plane with the normal n.
+    /// The mirror image of this direction in a plane with the normal n, which need not be a unit vector.
     pub const fn mirrored(self, n: F32x3) -> Self {
         let [x, y, z] = self.unit;
         let to_light = scale(vector([x as f32, y as f32, z as f32]), 1.0 / (1_u32 << 31) as f32);
@@ -79,7 +79,7 @@ impl Gloss {
 }
 
 impl Views {
-    /// For a matt solid, which needs none.
+    /// The directions of a matt solid, which has no highlight: all are zero.
     pub const NONE: Self = Self { first: [0; 3], change: [0; 3], finer: 0 };
 
     /// The directions of the columns before `end`.

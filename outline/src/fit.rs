@@ -301,7 +301,7 @@ impl<'a> Search<'a> {
         };
         let is_shared =
             (0..2).all(|end| slopes[end].is_none() || ends[end].f == 0.0 || turned(end) <= MOST_TURNED);
-        (is_shared && segment.is_solid() && self.allows(low, high, &segment)).then_some(segment)
+        (is_shared && segment.rounded().is_solid() && self.allows(low, high, &segment)).then_some(segment)
     }
 
     /// The section's squared radius at about a height; at its ends exactly.

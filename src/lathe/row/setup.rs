@@ -25,7 +25,11 @@ impl Lathe {
         let lathe = self.view();
         let (bounds, rays) = RowBounds::new(lathe, grid, j, part);
         // Counted from the left edge of the right half's first pixel.
-        let (origin, direction) = rays.at(bounds.middle as f32 - 0.5 - part.center());
+        let (mut origin, mut direction) = (rays.origin, rays.direction);
+        // In a mirrored row that edge is the part's middle.
+        if !bounds.is_mirrored {
+            (origin, direction) = rays.at(bounds.middle as f32 - 0.5 - part.center());
+        }
         let rays = RayRow { origin, direction, ..rays };
         let numbers = bounds.numbers.rays(
             (origin, direction),

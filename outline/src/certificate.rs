@@ -427,7 +427,9 @@ impl<'a> Proof<'a> {
         let sign = by * side.sign();
         // Where parallels fold they do so within B.
         let [from, to] = part.t.map(|t| self.at(part, t));
-        let some = if is_long || from.distance(to) > 0.5 * by { 1 } else { REACHES.len() };
+        // Nor do they in a corner's gap, where the line stands still.
+        let is_gap = matches!(part.line, Line::Straight([a, b], _) if a == b);
+        let some = if is_gap || is_long || from.distance(to) > 0.5 * by { 1 } else { REACHES.len() };
         REACHES[..some].iter().copied().find(|reach| {
             self.is_on(&stretch.parallel(part.d, sign * reach), &stretch.w, side)
                 && before

@@ -165,9 +165,9 @@ impl Camera {
         self.ray_through([x as f32, y as f32], width, height)
     }
 
-    /// Where a point of the world is seen in a picture of the given size in pixels: the column and the row, as
-    /// fractions, counted as [`Camera::ray`] counts them, so that the centre of a pixel is at whole numbers.
-    /// They may lie outside the picture. Solids that hide the point are not looked at.
+    /// Where a point of the world is seen in a picture of the given size in pixels: the column and the row,
+    /// as fractions, counted as [`Camera::ray`] counts them, so that the centre of a pixel is at whole
+    /// numbers. They may lie outside the picture. Solids that hide the point are not looked at.
     ///
     /// `None` if the point is behind the camera or in the plane through the eye, if the picture is 0 pixels
     /// wide, or if the point or one of the two results is not finite.

@@ -47,8 +47,8 @@ impl Rgb {
         Self::new(share, share, share)
     }
 
-    /// This color in shades: each channel times that of `most`, its number of shades, which is given four times.
-    /// A channel below 0 or NaN counts as 0, and one above 1 as 1.
+    /// This color in shades: each channel times that of `most`, its number of shades, which is given four
+    /// times. A channel below 0 or NaN counts as 0, and one above 1 as 1.
     #[inline(never)]
     pub(crate) const fn shades(&self, most: &Shades) -> Shades {
         Shades {

@@ -54,18 +54,19 @@ impl<'a> Scene<'a> {
     }
 
     /// Draws the scene over the whole display, in one call of
-    /// [`fill_contiguous`](DrawTarget::fill_contiguous). The pixels are computed as the display takes them, as
-    /// many at a time as 160 bytes of stack hold: 160 of one byte each, 80 of two, 40 of more. No framebuffer
-    /// is needed.
+    /// [`fill_contiguous`](DrawTarget::fill_contiguous). The pixels are computed as the display takes them,
+    /// as many at a time as 160 bytes of stack hold: 160 of one byte each, 80 of two, 40 of more. No
+    /// framebuffer is needed.
     ///
     /// It fills the target's bounding box, as `clear` does, so the picture has the size of that box. What
     /// embedded-graphics makes of a display has a box of its own: that of `translated` is still the whole
-    /// display, so the scene is not moved; that of `clipped` and of `cropped` is their rectangle, so the whole
-    /// scene is drawn smaller, into it. [`Picture::at`] draws a picture of a given size at a given place.
+    /// display, so the scene is not moved; that of `clipped` and of `cropped` is their rectangle, so the
+    /// whole scene is drawn smaller, into it. [`Picture::at`] draws a picture of a given size at a given
+    /// place.
     ///
-    /// If there is memory for a row of pixels that is longer, [`Scene::draw_by_rows`] is faster: with a single
-    /// solid in rows of 240 `Rgb565` it takes two thirds of the time. On a display of 2³² pixels or more
-    /// `draw` draws no pixel and returns `Ok`.
+    /// If there is memory for a row of pixels that is longer, [`Scene::draw_by_rows`] is faster: with a
+    /// single solid in rows of 240 `Rgb565` it takes two thirds of the time. On a display of 2³² pixels or
+    /// more `draw` draws no pixel and returns `Ok`.
     ///
     /// # Errors
     ///

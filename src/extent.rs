@@ -48,11 +48,11 @@ impl Solid<'_> {
     /// A rectangle of a picture outside of which no pixel shows the solid. `None` if it is proven that no
     /// pixel shows it, or if the picture has no pixels.
     ///
-    /// The rays of a column of pixels lie in a plane, and so do those of a row. At the left edge, the columns whose
-    /// planes are proven to have all of the solid on their right are left out, and likewise at the other three
-    /// edges. How many they are is found by bisection, with some 8 planes for each edge of a picture of 240
-    /// pixels. If a part of the solid may lie beside the eye of a perspective camera or behind it, the
-    /// rectangle is the whole picture.
+    /// The rays of a column of pixels lie in a plane, and so do those of a row. At the left edge, the columns
+    /// whose planes are proven to have all of the solid on their right are left out, and likewise at the
+    /// other three edges. How many they are is found by bisection, with some 8 planes for each edge of a
+    /// picture of 240 pixels. If a part of the solid may lie beside the eye of a perspective camera or behind
+    /// it, the rectangle is the whole picture.
     pub(crate) fn extent(&self, camera: &Camera, width: u32, height: u32) -> Option<Extent> {
         if width == 0 || height == 0 {
             return None;
@@ -114,8 +114,8 @@ impl<'a> LocalCamera<'a> {
     /// on its far side from the edge, so have the lines before it: the largest such n is found by bisection.
     ///
     /// `across` is the vector from the middle of the picture away from that edge, a half-width long. `along`
-    /// is a vector along the lines, in the sense in which the cross product of the rays' direction and `along`
-    /// points to the edge.
+    /// is a vector along the lines, in the sense in which the cross product of the rays' direction and
+    /// `along` points to the edge.
     #[inline(never)]
     fn clear(&self, lines: u32, width: u32, across: F32x3, along: F32x3) -> u32 {
         let (mut least, mut most) = (0, lines);

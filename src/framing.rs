@@ -11,7 +11,8 @@ const FREE: f32 = 1.0 / 32.0;
 
 impl Camera {
     /// This camera moved so that a picture of the given size in pixels holds the solids, a thirty-second of
-    /// its half-width and of its half-height left free on each side. It looks in the same direction as before.
+    /// its half-width and of its half-height left free on each side. It looks in the same direction as
+    /// before.
     ///
     /// A perspective camera keeps its angle of view and moves nearer or farther. An orthographic one gets
     /// another half-width; its eye is placed before all the solids. A solid counts as the cylinder around it,
@@ -36,8 +37,8 @@ impl Camera {
     /// # Errors
     ///
     /// [`SceneError::NothingToFrame`] if there are no solids or no pixels; [`SceneError::Endless`] if a solid
-    /// is endless; [`SceneError::HalfWidth`] and [`SceneError::Position`] if the new camera's half-width or eye
-    /// is out of range.
+    /// is endless; [`SceneError::HalfWidth`] and [`SceneError::Position`] if the new camera's half-width or
+    /// eye is out of range.
     pub const fn framing(self, solids: &[Solid], width: u32, height: u32) -> Result<Self, SceneError> {
         if solids.is_empty() || width == 0 || height == 0 {
             return Err(SceneError::NothingToFrame { solids: solids.len(), width, height });

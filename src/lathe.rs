@@ -241,8 +241,8 @@ impl<T: AsRef<[Segment]> + ?Sized> Lathe<T> {
     /// and where the gradient is zero, along the axis.
     ///
     /// All lengths in it are multiplied by the frame's scale, and x is not scaled by √k. That overflows far
-    /// out along a sheet, and for a direction so long that its unit does: then, too, the vector lies along the
-    /// axis.
+    /// out along a sheet, and for a direction so long that its unit does: then, too, the vector lies along
+    /// the axis.
     pub(crate) fn gradient(&self, ray: &Ray, hit: &Hit) -> F32x3 {
         let View { frame, segments } = self.view();
         if hit.part == Part::Wall

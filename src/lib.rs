@@ -141,9 +141,9 @@
 //!
 //! The same source gives the same bits on every machine, because the crate uses only additions,
 //! multiplications, divisions and correctly rounded square roots, in a fixed order. For the pixels of a
-//! picture that holds in each *arithmetic*: floats where the machine has a floating-point unit, integers where
-//! it has none (Cortex-M0, M0+, M3; rv32imc). Both show the same solid in every pixel; the colors differ by
-//! one shade of a channel in at most one pixel of 10 000. `RUSTFLAGS='--cfg
+//! picture that holds in each *arithmetic*: floats where the machine has a floating-point unit, integers
+//! where it has none (Cortex-M0, M0+, M3; rv32imc). Both show the same solid in every pixel; the colors
+//! differ by one shade of a channel in at most one pixel of 10 000. `RUSTFLAGS='--cfg
 //! embedded_lathe_arithmetic="integers"'` or `"floats"` chooses one for any target.
 //!
 //! # Features

@@ -32,9 +32,9 @@ pub struct Light {
 /// The share that a light has at least, beside the ambient one: without a share its direction would be lost.
 const LEAST_DIRECT: f32 = 1.0 / 1_048_576.0;
 
-/// By this factor a light's share is less than what the ambient one leaves, so that the sum of both is at most 1
-/// where the light falls along the normal. In floats the cosine is off by 2⁻²⁰ for its inverse root, and by ten
-/// roundings of 2⁻²⁴ at most.
+/// By this factor a light's share is less than what the ambient one leaves, so that the sum of both is at
+/// most 1 where the light falls along the normal. In floats the cosine is off by 2⁻²⁰ for its inverse root,
+/// and by ten roundings of 2⁻²⁴ at most.
 const SHORTENED: f32 = 1.0 - 1.0 / 524_288.0;
 
 impl Light {

@@ -23,8 +23,8 @@ use core::ops::Range;
 ///
 /// A picture owns its scene, a copy of some 100 bytes, and borrows the solids. It finds the order in which
 /// they are painted when it is made, at compile time in a `const`: make one picture of a scene, not one for
-/// each row. Without a floating-point unit it is 800 bytes larger, because it also keeps what is the same for all
-/// rows of its first six solids.
+/// each row. Without a floating-point unit it is 800 bytes larger, because it also keeps what is the same for
+/// all rows of its first six solids.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -93,7 +93,8 @@ impl Picture<'_> {
     /// ```
     #[must_use]
     pub fn disc_of_row(&self, y: u32) -> Range<u32> {
-        // In halves of a pixel: the radius, and the distances of the row's upper and lower edge from the middle.
+        // In halves of a pixel: the radius, and the distances of the row's upper and lower edge from the
+        // middle.
         let radius = u64::from(self.width.min(self.height));
         let (middle, upper) = (u64::from(self.height), 2 * u64::from(y));
         let nearest = upper.saturating_sub(middle).max(middle.saturating_sub(upper + 2));
@@ -109,8 +110,8 @@ impl Picture<'_> {
         left..self.width - left
     }
 
-    /// Which solid the pixel in column x of row y shows, and where its ray hits it; `None` if it shows none, or
-    /// if the picture has no columns.
+    /// Which solid the pixel in column x of row y shows, and where its ray hits it; `None` if it shows none,
+    /// or if the picture has no columns.
     #[must_use]
     pub fn pick(&self, x: u32, y: u32) -> Option<Pick> {
         let ray = self.scene.camera.ray(x, y, self.width, self.height);

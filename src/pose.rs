@@ -130,7 +130,8 @@ impl Pose {
     pub const fn inverse(self) -> Result<Self, SceneError> {
         let back = scale(self.rotation.back(self.position), -1.0);
         let per_scale = 1.0 / self.scale;
-        // The scale is never out of range: its limits, as f32 numbers, are exactly each other's rounded inverse.
+        // The scale is never out of range: its limits, as f32 numbers, are exactly each other's rounded
+        // inverse.
         Self::new(array(scale(back, per_scale)), self.rotation.inverse(), per_scale)
     }
 

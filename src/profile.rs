@@ -300,8 +300,8 @@ impl<const N: usize> Profile<N> {
         self.base(End::Capped).top(End::Capped)
     }
 
-    /// This profile with room for M segments instead of N. A profile that is read at run time, into as much room
-    /// as the largest may need, so gets no more than it takes: a segment of a lathe is 76 bytes, or 96.
+    /// This profile with room for M segments instead of N. A profile that is read at run time, into as much
+    /// room as the largest may need, so gets no more than it takes: a segment of a lathe is 76 bytes, or 96.
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, ProfileError, Segment};

@@ -60,8 +60,8 @@ use crate::solid::Solid;
 /// # Ok::<(), SceneError>(())
 /// ```
 ///
-/// What a frame changes is often a small part of the picture: [`Redraw`](crate::Redraw) says which rectangle to
-/// draw again.
+/// What a frame changes is often a small part of the picture: [`Redraw`](crate::Redraw) says which rectangle
+/// to draw again.
 ///
 /// # More to come
 ///

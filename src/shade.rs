@@ -34,8 +34,8 @@ impl Finish {
         }
     }
 
-    /// The color of a visible point without a highlight. `to_light` is [`Finish::to_light`], or the mirror image
-    /// of that where a pixel is the mirror image of another.
+    /// The color of a visible point without a highlight. `to_light` is [`Finish::to_light`], or the mirror
+    /// image of that where a pixel is the mirror image of another.
     #[inline(always)]
     pub fn matt(&self, seen: &Seen, to_light: &ToLight) -> Shades {
         self.diffuse(seen.cosine(to_light).share(to_light))

@@ -15,9 +15,9 @@ impl Paint for [u8; 2] {
 }
 
 impl Picture<'_> {
-    /// Writes the pixels of row y from column x on into `bytes`, two bytes each: `Rgb565`, the high byte first,
-    /// as most color displays take it. They are as many as the row has there, or as there is room for; what is
-    /// left of `bytes` stays as it is.
+    /// Writes the pixels of row y from column x on into `bytes`, two bytes each: `Rgb565`, the high byte
+    /// first, as most color displays take it. They are as many as the row has there, or as there is room for;
+    /// what is left of `bytes` stays as it is.
     ///
     /// So a row goes to a display by DMA without a copy. While one buffer is sent, the next row is computed
     /// into another: `examples/two_rows` shows how. A row depends on no other row, so a frame can be left

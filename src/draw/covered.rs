@@ -51,9 +51,9 @@ impl Picture<'_> {
     /// A rectangle that holds every pixel of the picture that shows the solid, or would show it if no other
     /// hid it. The solid need not be one of the scene's. Its size is zero if there is no such pixel.
     ///
-    /// The rectangle is proven to hold all of these pixels, and is rarely larger than need be. In two cases it
-    /// is the whole picture: if part of the solid lies beside a perspective camera's eye or behind it, and if
-    /// the solid is an endless sheet.
+    /// The rectangle is proven to hold all of these pixels, and is rarely larger than need be. In two cases
+    /// it is the whole picture: if part of the solid lies beside a perspective camera's eye or behind it, and
+    /// if the solid is an endless sheet.
     ///
     /// It costs some 35 evaluations of the solid's segments, as much as a few rows of pixels.
     ///
@@ -76,8 +76,8 @@ impl Picture<'_> {
         self.rectangle(self.extent(core::slice::from_ref(solid)))
     }
 
-    /// The smallest rectangle that holds the [`Solid::extent`] of each of the solids, and so every pixel whose
-    /// ray hits one of them. `None` if it is proven that no ray does.
+    /// The smallest rectangle that holds the [`Solid::extent`] of each of the solids, and so every pixel
+    /// whose ray hits one of them. `None` if it is proven that no ray does.
     pub(super) fn extent(&self, solids: &[Solid]) -> Option<Extent> {
         let (width, height) = (self.width(), self.height());
         let extents = solids.iter().filter_map(|solid| solid.extent(&self.scene().camera, width, height));
@@ -141,8 +141,8 @@ impl Redraw {
         Self { last: shown }
     }
 
-    /// What a frame has to draw: the smallest rectangle that holds `now`, which the frame covers, and what the
-    /// frame before it covered. `now` is remembered for the next frame.
+    /// What a frame has to draw: the smallest rectangle that holds `now`, which the frame covers, and what
+    /// the frame before it covered. `now` is remembered for the next frame.
     pub fn next(&mut self, now: Rectangle) -> Rectangle {
         let both = envelope(self.last, now);
         self.last = now;

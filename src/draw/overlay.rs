@@ -8,12 +8,12 @@ use embedded_graphics_core::{
     Drawable, draw_target::DrawTarget, geometry::Dimensions, pixelcolor::PixelColor, primitives::Rectangle,
 };
 
-/// A [`Placed`] picture without its background: only the pixels that show a solid are drawn, and no other pixel
-/// is touched. Text, an image or another picture stays around the solids and behind them.
+/// A [`Placed`] picture without its background: only the pixels that show a solid are drawn, and no other
+/// pixel is touched. Text, an image or another picture stays around the solids and behind them.
 ///
 /// Made by [`Placed::without_background`]. Each run of such pixels in a row is one call of
-/// [`fill_contiguous`](DrawTarget::fill_contiguous). All rows of the picture's part are looked at: where most of
-/// them are empty, [`Placed::only`] its [`Placed::covered`] rectangle is faster.
+/// [`fill_contiguous`](DrawTarget::fill_contiguous). All rows of the picture's part are looked at: where most
+/// of them are empty, [`Placed::only`] its [`Placed::covered`] rectangle is faster.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
@@ -48,8 +48,8 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
 
 impl<C: Paint + PixelColor> Overlay<'_, C> {
     /// Draws as [`Drawable::draw`] does, but computes the pixels in memory that the caller lends: as many at
-    /// once as fit into `row`, up to a whole row of the part. A longer slice is faster, and makes fewer calls.
-    /// If `row` is empty, it does what `draw` does.
+    /// once as fit into `row`, up to a whole row of the part. A longer slice is faster, and makes fewer
+    /// calls. If `row` is empty, it does what `draw` does.
     ///
     /// # Errors
     ///

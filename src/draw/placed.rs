@@ -43,13 +43,13 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// A [`Picture`] at a place of a display, in the display's colors: a [`Drawable`]. It is drawn where it is put,
-/// and no other pixel is touched: on the display itself and on what embedded-graphics makes of it,
+/// A [`Picture`] at a place of a display, in the display's colors: a [`Drawable`]. It is drawn where it is
+/// put, and no other pixel is touched: on the display itself and on what embedded-graphics makes of it,
 /// `translated`, `clipped` and `cropped`.
 ///
-/// Made by [`Picture::at`], where there is an example. [`Placed::rows`] and [`Placed::only`] choose a part, for
-/// a band of a display, or for the rectangle that has changed. What lies outside the target is not computed,
-/// however large the picture is; of a target with 2³² pixels or more no pixel is drawn.
+/// Made by [`Picture::at`], where there is an example. [`Placed::rows`] and [`Placed::only`] choose a part,
+/// for a band of a display, or for the rectangle that has changed. What lies outside the target is not
+/// computed, however large the picture is; of a target with 2³² pixels or more no pixel is drawn.
 ///
 /// [`Placed::translate`] and [`Placed::translate_mut`] do what the two methods of embedded-graphics'
 /// `Transform` do. That trait is not part of embedded-graphics-core, so `Placed` does not implement it. For
@@ -96,8 +96,8 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
         Self { part: self.within(area), ..self }
     }
 
-    /// Only some rows of the picture, counted from its top, in the same place as before. Rows that the picture
-    /// does not have are left out.
+    /// Only some rows of the picture, counted from its top, in the same place as before. Rows that the
+    /// picture does not have are left out.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*, primitives::Rectangle};
@@ -126,8 +126,8 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
         Self { part: Extent { top, bottom, ..self.part }, ..self }
     }
 
-    /// The rectangle of the display that the picture's solids cover: [`Picture::covered`], cut to the part that
-    /// is drawn. Its size is zero if the two do not overlap, or if no solid is seen.
+    /// The rectangle of the display that the picture's solids cover: [`Picture::covered`], cut to the part
+    /// that is drawn. Its size is zero if the two do not overlap, or if no solid is seen.
     #[must_use]
     pub fn covered(&self) -> Rectangle {
         match self.picture.extent(self.picture.scene().solids) {
@@ -161,8 +161,8 @@ impl<'a, C: Paint + PixelColor> Placed<'a, C> {
     }
 
     /// Draws only some columns of each row, those that `columns` returns for the row's number, counted in the
-    /// picture: one call of [`fill_contiguous`](DrawTarget::fill_contiguous) for each row that has any. Pixels
-    /// are computed in memory that the caller lends, as by [`Placed::draw_by_rows`].
+    /// picture: one call of [`fill_contiguous`](DrawTarget::fill_contiguous) for each row that has any.
+    /// Pixels are computed in memory that the caller lends, as by [`Placed::draw_by_rows`].
     ///
     /// A round panel shows four fifths of the pixels of its square, and asks for no others:
     ///
@@ -277,8 +277,8 @@ impl<C: Paint + PixelColor> Drawable for Placed<'_, C> {
     type Color = C;
     type Output = ();
 
-    /// Draws in one call of [`fill_contiguous`](DrawTarget::fill_contiguous), with pixels that are computed as
-    /// the target takes them, as many at a time as in [`Scene::draw`](crate::Scene::draw).
+    /// Draws in one call of [`fill_contiguous`](DrawTarget::fill_contiguous), with pixels that are computed
+    /// as the target takes them, as many at a time as in [`Scene::draw`](crate::Scene::draw).
     fn draw<D>(&self, target: &mut D) -> Result<(), D::Error>
     where
         D: DrawTarget<Color = C>,

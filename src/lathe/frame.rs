@@ -219,7 +219,8 @@ impl View<'_> {
         })
     }
 
-    /// Whether a height differs by less than `margin` from that of an end, or, if there are steps, of any knot.
+    /// Whether a height differs by less than `margin` from that of an end, or, if there are steps, of any
+    /// knot.
     #[inline]
     pub fn is_near_edge(&self, z: f32, margin: f32) -> bool {
         let View { frame, segments } = *self;

@@ -28,8 +28,8 @@ pub const fn sqrt(x: f32) -> f32 {
 /// Returns an upper bound of √x, above it by at most 6.1 % and less rounding, for positive normal x. For zero
 /// and subnormal x it is positive, for infinity and NaN it is that.
 ///
-/// It is the mean of p and x/p, never less than their geometric mean, √x. The power of two p is between √(x/2)
-/// and √(2·x): so the bound is largest for x = 2, 3/2.
+/// It is the mean of p and x/p, never less than their geometric mean, √x. The power of two p is between
+/// √(x/2) and √(2·x): so the bound is largest for x = 2, 3/2.
 pub const fn upper_root(x: f32) -> f32 {
     // Half of the exponent, rounded up; the bias is 127.
     let half = ((x.to_bits() >> 23) as i32 - 126) >> 1;

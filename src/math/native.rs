@@ -72,8 +72,8 @@ fn sqrt(x: f32) -> f32 {
 #[allow(unsafe_code)]
 fn sqrt(x: f32) -> f32 {
     let root: f32;
-    // SAFETY: the instruction belongs to F, and writes one register and the flags, which are declared. Without
-    // F there are no registers of the class `freg`, and this does not compile.
+    // SAFETY: the instruction belongs to F, and writes one register and the flags, which are declared.
+    // Without F there are no registers of the class `freg`, and this does not compile.
     unsafe {
         core::arch::asm!(
             "fsqrt.s {root}, {x}",

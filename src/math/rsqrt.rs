@@ -2,9 +2,9 @@
 /// NaN. It takes additions and multiplications only: the same bits everywhere, and less than half of the time
 /// of a square root and a division on a Cortex-M4F.
 ///
-/// For 1/√x the seed y is computed from the bits of x, as Walsh did it. Of all constants 0x5f37_642f makes the
-/// best seed, within 3.422 % (Lomont, “Fast inverse square root”, 2003). The constant here is that one rounded to
-/// 0x5f37_6800, with which the seed is within 3.431 %.
+/// For 1/√x the seed y is computed from the bits of x, as Walsh did it. Of all constants 0x5f37_642f makes
+/// the best seed, within 3.422 % (Lomont, “Fast inverse square root”, 2003). The constant here is that one
+/// rounded to 0x5f37_6800, with which the seed is within 3.431 %.
 ///
 /// Two steps `y ← y·(3/2 + d − x/2·y²)` follow. One step turns a relative error e into
 /// `d·(1 + e) − (3·e² + e³)/2`. With d = 0 it would be Newton's step, whose errors are all to one side; with
@@ -12,8 +12,8 @@
 /// Newton's step would leave 3·e²/2 = 1.2·10⁻⁶. The second step, whose d is 3.6·10⁻⁷, leaves 8·10⁻⁷, to which
 /// rounding adds.
 ///
-/// With 2·x in place of x, x/2 in the steps is x itself, which spares a product. The bits of 2·x are those of x
-/// plus [`EXPONENT`]; half of that is taken from the seed's constant.
+/// With 2·x in place of x, x/2 in the steps is x itself, which spares a product. The bits of 2·x are those of
+/// x plus [`EXPONENT`]; half of that is taken from the seed's constant.
 pub(crate) fn rsqrt_of_double(x: f32) -> f32 {
     let y = f32::from_bits((0x5f37_6800 - EXPONENT / 2).wrapping_sub(x.to_bits() >> 1));
     let y = y * (1.500_879_8 - x * (y * y));

@@ -13,8 +13,8 @@ use crate::vector::vector;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Aspect {
     pub grid: RayGrid,
-    /// The direction to the light, in the solid's own space, and its mirror image where the left half of a row
-    /// sees the mirror image of what its right half sees.
+    /// The direction to the light, in the solid's own space, and its mirror image where the left half of a
+    /// row sees the mirror image of what its right half sees.
     pub to_light: ToLight,
     pub mirrored: ToLight,
 }
@@ -51,14 +51,15 @@ pub(super) const fn grid(solid: &Solid, lathe: &Lathe, row: &Row, y: f32, half_r
     })
 }
 
-/// The ray of a column of row y of a picture in a solid's own space; both may be fractions. Not inline: what it
-/// computes would stay on the stack of those that cast it.
+/// The ray of a column of row y of a picture in a solid's own space; both may be fractions. Not inline: what
+/// it computes would stay on the stack of those that cast it.
 #[inline(never)]
 pub(super) const fn ray(solid: &Solid, row: &Row, column: f32, y: f32) -> Ray {
     solid.ray_into(&row.ray(column, y))
 }
 
-/// The aspects of a picture's first solids, of a body that of its first sheet: as many as the arithmetic keeps.
+/// The aspects of a picture's first solids, of a body that of its first sheet: as many as the arithmetic
+/// keeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Aspects([Aspect; KEPT]);
 
@@ -77,8 +78,8 @@ impl Aspects {
         aspects
     }
 
-    /// That of the first sheet of the scene's solid with an index, if it is kept and its bounds are of use: those
-    /// of one row may be where those of a picture are not.
+    /// That of the first sheet of the scene's solid with an index, if it is kept and its bounds are of use:
+    /// those of one row may be where those of a picture are not.
     #[inline(always)]
     pub(super) fn get(&self, index: usize) -> Option<&Aspect> {
         self.0.get(index).filter(|aspect| aspect.grid.is_usable)

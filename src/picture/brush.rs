@@ -9,9 +9,9 @@ use crate::shade::Finish;
 pub(super) struct Brush<'a> {
     pub rays: &'a SolidRays<'a>,
     finish: Finish,
-    /// Whether the left half of the row sees the mirror image of what the right half sees. Then a pixel of the
-    /// left half gets the color that the pixel opposite, in the right half, would have in the mirrored light. If
-    /// not, each half is swept by itself.
+    /// Whether the left half of the row sees the mirror image of what the right half sees. Then a pixel of
+    /// the left half gets the color that the pixel opposite, in the right half, would have in the mirrored
+    /// light. If not, each half is swept by itself.
     pub is_mirrored: bool,
     /// The mirror image of the direction to the light, if `is_mirrored`.
     pub mirrored: ToLight,
@@ -46,7 +46,8 @@ impl<'a> Brush<'a> {
         self.rays.solid.gloss().exponent == 0
     }
 
-    /// The color, without a highlight, of the pixel `to`, which sees `seen` in light from the direction `to_light`.
+    /// The color, without a highlight, of the pixel `to`, which sees `seen` in light from the direction
+    /// `to_light`.
     // Without a hint: in a build for size flash contains the function only once, and in a build for speed the
     // compiler inlines it.
     pub fn matt<C: Paint>(&self, to: usize, seen: &Seen, to_light: &ToLight) -> C {

@@ -65,8 +65,8 @@ impl<C: Paint> Canvas<'_, '_, C> {
         // `run`. Where it has no pixels, it calls `other`.
         let is_plain = self.brush.is_matt();
         let run = if is_plain { mem::take(&mut self.run) } else { &mut [] };
-        // This minus the index of a pixel in `run` is the index of its mirror image. Without mirror images the
-        // difference lies outside of `run`.
+        // This minus the index of a pixel in `run` is the index of its mirror image. Without mirror images
+        // the difference lies outside of `run`.
         let both = if self.brush.is_mirrored { run.len().wrapping_sub(1) } else { usize::MAX };
         let other = match (&self.depths, self.brush.is_mirrored) {
             (Some(_), _) => Self::compared,
@@ -155,7 +155,8 @@ impl<C: Paint> Canvas<'_, '_, C> {
         i
     }
 
-    /// Paints the pixels of some columns, which all see the same, if every pixel that sees the solid shows it.
+    /// Paints the pixels of some columns, which all see the same, if every pixel that sees the solid shows
+    /// it.
     #[inline(never)]
     fn level(&mut self, columns: Range<u32>, seen: &Seen) {
         let Self { brush, run, .. } = self;

@@ -41,8 +41,8 @@ impl<'a, C: Paint> Depths<'a, C> {
         Self { run, nearest, block, error: 0.0, scale: Scale::default() }
     }
 
-    /// Prepares for the pixels of the next sheet: stores what the distances of its sweep are computed from, and
-    /// raises the bound of their error to that of this sweep if it is larger.
+    /// Prepares for the pixels of the next sheet: stores what the distances of its sweep are computed from,
+    /// and raises the bound of their error to that of this sweep if it is larger.
     pub fn begin(&mut self, sweep: &Sweep) {
         self.error = greater(self.error, sweep.depth_error());
         self.scale = sweep.scale();
@@ -80,10 +80,10 @@ impl<'a, C: Paint> Depths<'a, C> {
 impl Block<'_> {
     /// Two distances of a column, so exact that their order is that which single rays find, where the known
     /// ones are closer together than their errors: that of the nearest sheet painted before, and that of the
-    /// sheet that `rays` are cast at. `nearest` and `distance` are the known ones, `error` bounds the error of
-    /// one that a sweep has found. The second is returned as a single ray finds it. So is the first,
-    /// negated, unless it is as far from the second as a sweep's error: then it is returned as it is. If the two results are
-    /// equal, the pixel shows what was painted before, which is the first in the slice.
+    /// sheet that `rays` are cast at. `nearest` and `distance` are the known ones, `error` bounds the error
+    /// of one that a sweep has found. The second is returned as a single ray finds it. So is the first,
+    /// negated, unless it is as far from the second as a sweep's error: then it is returned as it is. If the
+    /// two results are equal, the pixel shows what was painted before, which is the first in the slice.
     #[cold]
     #[inline(never)]
     fn compare(&self, rays: &SolidRays, column: u32, nearest: f32, distance: f32, error: f32) -> (f32, f32) {

@@ -61,8 +61,8 @@ impl Raster<'_> {
         let mut part = Part { row: &row, x, run: part, depths: None };
         self.paint(0..block, &mut part);
         if block < beyond {
-            // Memory for fewer distances serves a short part: a scene that is drawn run by run may have little
-            // stack.
+            // Memory for fewer distances serves a short part: a scene that is drawn run by run may have
+            // little stack.
             if part.run.len() > FEW_DEPTHS {
                 self.block::<C, MOST_DEPTHS>(&mut part);
             } else {
@@ -80,8 +80,8 @@ impl Raster<'_> {
         self.by_depth(part, &mut [f32::INFINITY; N]);
     }
 
-    /// Paints the solids of the block on `part`, in pieces of as many pixels as `nearest` has room for distances:
-    /// all of them infinite, before and after.
+    /// Paints the solids of the block on `part`, in pieces of as many pixels as `nearest` has room for
+    /// distances: all of them infinite, before and after.
     #[inline(never)]
     fn by_depth<C: Paint>(&self, part: &mut Part<C>, nearest: &mut [f32]) {
         let Self { scene: Scene { solids, .. }, plan: Plan { order, .. }, .. } = *self;

@@ -26,9 +26,9 @@ pub(super) struct SolidRays<'a> {
 }
 
 impl<'a> SolidRow<'a> {
-    /// Sets up the sweep of a solid's sheet along the columns of a row from `start` to before `end`. `kept` is
-    /// the sheet's aspect in the picture, if that is known; then the row's plane must not pass the solid by.
-    /// `has_depth` is whether distances are compared with those of other sheets and solids.
+    /// Sets up the sweep of a solid's sheet along the columns of a row from `start` to before `end`. `kept`
+    /// is the sheet's aspect in the picture, if that is known; then the row's plane must not pass the solid
+    /// by. `has_depth` is whether distances are compared with those of other sheets and solids.
     #[inline(never)]
     pub fn new(
         solid: &'a Solid<'a>,

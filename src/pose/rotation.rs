@@ -102,7 +102,8 @@ impl Rotation {
     pub const fn from_quaternion(w: f32, v: [f32; 3]) -> Result<Self, SceneError> {
         let error = SceneError::RotationQuaternion { w, v };
         let largest = crate::vector::largest(vector([w, crate::vector::largest(vector(v)), 0.0]));
-        // All four numbers times the power of two that brings the largest into [1, 4): so no square overflows.
+        // All four numbers times the power of two that brings the largest into [1, 4): so no square
+        // overflows.
         let Some((_, power)) = to_one(vector([largest, 0.0, 0.0])) else {
             return Err(error);
         };
@@ -161,9 +162,9 @@ impl Rotation {
         if !(determinant > 0.0) {
             return Err(SceneError::RotationMirrors { determinant });
         }
-        // Newton's iteration for the nearest rotation, M ← ½·(3 − M·Mᵀ)·M. With E = M·Mᵀ − 1 a step turns E into
-        // −¾·E² + ¼·E³. The norm of E is 0.3 at most at first, three times the largest element; then 0.075,
-        // 0.0044, 1.5·10⁻⁵, and after the fourth step 1.7·10⁻¹⁰, below rounding.
+        // Newton's iteration for the nearest rotation, M ← ½·(3 − M·Mᵀ)·M. With E = M·Mᵀ − 1 a step turns E
+        // into −¾·E² + ¼·E³. The norm of E is 0.3 at most at first, three times the largest element; then
+        // 0.075, 0.0044, 1.5·10⁻⁵, and after the fourth step 1.7·10⁻¹⁰, below rounding.
         let mut step = 0;
         while step < 4 {
             let [a, b, c] = m;

@@ -22,10 +22,10 @@ impl<const N: usize> Profile<N> {
     /// without a step is open. An end on the axis, at radius 0, is round, or pointed if its point is given
     /// twice. Between two corners without a point between them the outline is a straight line.
     ///
-    /// From one corner, step or end to the next, the outline is exactly that of a quadric, such as a sphere or
-    /// a hyperboloid, if three points or more lie on it there, the first and the last included. If the quadric
-    /// has its equator or its waist between the first and the last of them, another must lie there. (A cone
-    /// needs only two points, and at its apex the point twice.)
+    /// From one corner, step or end to the next, the outline is exactly that of a quadric, such as a sphere
+    /// or a hyperboloid, if three points or more lie on it there, the first and the last included. If the
+    /// quadric has its equator or its waist between the first and the last of them, another must lie there.
+    /// (A cone needs only two points, and at its apex the point twice.)
     ///
     /// ```
     /// use embedded_lathe::{Lathe, Profile, Segment, valid};

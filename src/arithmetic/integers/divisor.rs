@@ -24,7 +24,8 @@ impl Divisor {
         let magnitude = divisor.unsigned_abs().max(1);
         let left = magnitude.leading_zeros();
         let high = ((magnitude << left) >> 32) as u32;
-        // Its highest bit is set already: that the compiler sees it spares a test for zero, which would panic.
+        // Its highest bit is set already: that the compiler sees it spares a test for zero, which would
+        // panic.
         let guess = (u32::MAX / (high >> 16 | 1 << 15)) << 15;
         let rest = (1 << 31) - ((u64::from(high) * u64::from(guess)) >> 32) as i64;
         let inverse = (i64::from(guess) + ((i64::from(guess) * rest) >> 31)).min(u32::MAX.into());

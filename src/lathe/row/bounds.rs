@@ -125,9 +125,9 @@ impl RowPart {
 }
 
 impl<'a> RowBounds<'a> {
-    /// The bounds of the rays of a part of a row, and its rays, counted from the middle of the part. The row is
-    /// that of [`RayGrid::row`]. If it is one of a picture, its plane must not [pass](RayGrid::passes_by) the
-    /// solid by.
+    /// The bounds of the rays of a part of a row, and its rays, counted from the middle of the part. The row
+    /// is that of [`RayGrid::row`]. If it is one of a picture, its plane must not [pass](RayGrid::passes_by)
+    /// the solid by.
     #[inline(always)]
     pub fn new(lathe: View<'a>, grid: &RayGrid, j: Option<f32>, part: &RowPart) -> (Self, RayRow) {
         let frame = lathe.frame;

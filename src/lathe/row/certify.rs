@@ -8,11 +8,12 @@
 //! `g ≤ −(A − J)·p + K·p²`,
 //!
 //! which is negative if `K ≤ 0 < A − J`. So one comparison a pixel certifies the root, as far back along the
-//! ray as all segments have K ≤ 0 and J times the span is less than a quarter of the tolerance. For such a J any
-//! A suffices that exceeds [`SegmentBounds::slack`](super::bounds::SegmentBounds::slack), which is more than 16·J:
-//! it is 2·|D|·√tolerance at least, and span·|D| ≥ 1 and √tolerance < 1/2. Where the ray leaves the solid at the root, g is concave in each of these
-//! segments, and the slope jumps between them take less than a quarter of the tolerance from g. So g is
-//! positive in all of them if it is positive where the ray comes into the first.
+//! ray as all segments have K ≤ 0 and J times the span is less than a quarter of the tolerance. For such a J
+//! any A suffices that exceeds [`SegmentBounds::slack`](super::bounds::SegmentBounds::slack), which is more
+//! than 16·J: it is 2·|D|·√tolerance at least, and span·|D| ≥ 1 and √tolerance < 1/2. Where the ray leaves
+//! the solid at the root, g is concave in each of these segments, and the slope jumps between them take less
+//! than a quarter of the tolerance from g. So g is positive in all of them if it is positive where the ray
+//! comes into the first.
 //!
 //! These proofs reach back to a segment with K > 0, or to a slope jump too large to count as rounding. For
 //! the part of the ray before that place, the cubics of its segments give an upper bound of g, or of −g if
@@ -125,8 +126,9 @@ impl Sweep<'_> {
     }
 
     /// The slope above which a tracked root is certain to lie behind the point where the rays begin by more
-    /// than the tolerance divided by the slope. It is zero if the rays begin before the solid. If they begin near
-    /// it, they do so at one height: then the slope is infinite, unless all of the root's segment lies beyond that height.
+    /// than the tolerance divided by the slope. It is zero if the rays begin before the solid. If they begin
+    /// near it, they do so at one height: then the slope is infinite, unless all of the root's segment lies
+    /// beyond that height.
     #[inline(always)]
     fn clear_slope(&self, rises: bool, tolerance: f32) -> f32 {
         let Self { bounds, root, .. } = self;
@@ -143,8 +145,8 @@ impl Sweep<'_> {
         }
     }
 
-    /// How fast a ray must approach the axis at the tracked root, so that g rises all the way to the root: `a`
-    /// of the top of this file. `dz` is |dz|, or a bound of it, `slack` that of the root's segment. It is
+    /// How fast a ray must approach the axis at the tracked root, so that g rises all the way to the root:
+    /// `a` of the top of this file. `dz` is |dz|, or a bound of it, `slack` that of the root's segment. It is
     /// infinite if g may jump upwards, if the ray leaves the solid at the root, or if the arithmetic's probes
     /// cost less than this.
     fn least_approach(&self, dz: f32, slack: f32) -> f32 {
@@ -243,8 +245,8 @@ impl Sweep<'_> {
     ///
     /// B is positive at the root and where the ray comes in. So it is positive between if c₃ ≤ 0. If c₃ > 0,
     /// B is positive between if c₂ < 0, if its discriminant is negative, or if it falls all the way: w is at
-    /// most 1, and so before B's vertex if c₂ > 2·c₃. The certificate's `bump` stands for |f3|. If c₃ ≤ 0 or a
-    /// concave g is certain, it is zero; then only the slope is tested here.
+    /// most 1, and so before B's vertex if c₂ > 2·c₃. The certificate's `bump` stands for |f3|. If c₃ ≤ 0 or
+    /// a concave g is certain, it is zero; then only the slope is tested here.
     ///
     /// Beside this, a root is the nearest if the ray approaches the axis fast enough there, whatever the
     /// certificate.

@@ -31,8 +31,8 @@ pub(super) const WIDENED: f32 = 1.125;
 /// longer part of its ray.
 pub(super) const SPANS: f32 = 4.0;
 
-/// In a picture, how many times as long as the solid's size the span may be, for the bounds to be of use. It is
-/// longer where a squashed solid is seen along x: then the rays of one row may have a shorter one.
+/// In a picture, how many times as long as the solid's size the span may be, for the bounds to be of use. It
+/// is longer where a squashed solid is seen along x: then the rays of one row may have a shorter one.
 ///
 /// The value is a choice. The longer the span, the fewer bits integers have behind the point.
 const MOST_SPAN: f32 = 8.0;
@@ -91,8 +91,9 @@ pub(crate) struct RayGrid {
     pub longest: f32,
     /// A bound of |M| of all rays.
     pub far: f32,
-    /// The distance of row j's plane from the frame's origin is at least |place + j·place_change|, in units of the
-    /// radius of a ball that is met by each ray that comes near the solid. Both are zero for the rays of one row.
+    /// The distance of row j's plane from the frame's origin is at least |place + j·place_change|, in units
+    /// of the radius of a ball that is met by each ray that comes near the solid. Both are zero for the rays
+    /// of one row.
     place: f32,
     place_change: f32,
     /// The column whose ray is nearest to the axis at the height z is about
@@ -241,8 +242,8 @@ impl RayGrid {
         (self.place + j * self.place_change).abs() > 1.0
     }
 
-    /// The rays of row j of a picture in the lathe's frame, counted from the middle of the row, and a normal of
-    /// their plane. `None` stands for the row if the rays are those of one row.
+    /// The rays of row j of a picture in the lathe's frame, counted from the middle of the row, and a normal
+    /// of their plane. `None` stands for the row if the rays are those of one row.
     #[inline(always)]
     pub(super) fn row(&self, frame: &Frame, j: Option<f32>) -> (RayRow, F32x3) {
         let (at, apart, right) = (self.at, self.apart, frame.squashed(self.right));

@@ -17,9 +17,9 @@ impl<S: ?Sized> Lathe<S> {
 }
 
 impl Lathe {
-    /// Sets up the traversal of a part of a row of rays, at its right half. `grid` is one that [`Lathe::grid`]
-    /// of this lathe returned: that of one row, or of a picture, of which the row j, counted downwards from
-    /// the middle, is to be swept, unless its plane [passes](RayGrid::passes_by) the lathe by.
+    /// Sets up the traversal of a part of a row of rays, at its right half. `grid` is one that
+    /// [`Lathe::grid`] of this lathe returned: that of one row, or of a picture, of which the row j, counted
+    /// downwards from the middle, is to be swept, unless its plane [passes](RayGrid::passes_by) the lathe by.
     #[inline(always)]
     pub(crate) fn sweep(&self, grid: &RayGrid, j: Option<f32>, part: &RowPart) -> Sweep<'_> {
         let lathe = self.view();

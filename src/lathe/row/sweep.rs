@@ -26,8 +26,8 @@ pub(super) const NEWTON_STEPS: u8 = 4;
 /// single ray, one of this many begins to track the root that it finds.
 pub(super) const RETRY: u32 = 4;
 
-/// How far ahead of the row's pixels [`TrackedRoot::spent`] may be. The value is a choice: it is that of a dozen
-/// single rays, more than there are at a silhouette.
+/// How far ahead of the row's pixels [`TrackedRoot::spent`] may be. The value is a choice: it is that of a
+/// dozen single rays, more than there are at a silhouette.
 const PATIENCE: u32 = 48;
 
 /// Neighbouring pixels that are computed in the same way. The span begins with the i-th pixel, the one that
@@ -111,8 +111,8 @@ pub(super) struct TrackedRoot<'a> {
     /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
     /// there is none.
     pub probed: u32,
-    /// [`RETRY`] pixels more for each single ray, counted from the pixel that the row was at. Where this is far
-    /// ahead, single rays find roots that cannot be tracked, at a wall as low as a ring, for example.
+    /// [`RETRY`] pixels more for each single ray, counted from the pixel that the row was at. Where this is
+    /// far ahead, single rays find roots that cannot be tracked, at a wall as low as a ring, for example.
     pub spent: u32,
     /// The number of the knot on whose plane the next pixels may see a cap or a ring; `usize::MAX` if there
     /// is none.

@@ -32,9 +32,9 @@ impl Numbers {
         let [c0, c1, c2, c3] = segment.f;
         let certain = root.certificate.certain;
         let newton_tolerance = root.certificate.own.newton_tolerance;
-        // A root is undecided if its height is within the tolerance of an end or of a step. A root where the ray
-        // leaves the solid is also undecided within the slip of any other knot: at a sharp waist, rounding decides
-        // whether the ray leaves there.
+        // A root is undecided if its height is within the tolerance of an end or of a step. A root where the
+        // ray leaves the solid is also undecided within the slip of any other knot: at a sharp waist,
+        // rounding decides whether the ray leaves there.
         let pad = bounds.tolerance * segment.per_height;
         let slip = if sign < 0.0 { bounds.slip } else { 0.0 };
         let knot_pad = greater(bounds.knot_tolerance, slip) * segment.per_height;
@@ -77,8 +77,8 @@ impl Numbers {
                     continue;
                 }
                 let u = u - back * d.z;
-                // As unsigned integers, the bits of positive numbers are in the numbers' order, and those of a
-                // negative one or a NaN exceed them all. Below `from` the difference wraps around.
+                // As unsigned integers, the bits of positive numbers are in the numbers' order, and those of
+                // a negative one or a NaN exceed them all. Below `from` the difference wraps around.
                 if u.to_bits().wrapping_sub(from) > width {
                     end = TrackEnd::Left { upper: u > 0.5 };
                     break 'pixels;

@@ -132,10 +132,10 @@ impl Numbers {
         let square = exponent(certificate.own.newton_tolerance * certificate.slope) - 3;
         let near = fixed(power_of_two((square >> 1).clamp(-100, 100)), numbers.s).min(1 << 18);
 
-        // A root is undecided if its height is within the tolerance of an end or of a step, `pads`. A root where
-        // the ray leaves the solid is also undecided within the slip of any other knot. So is one where the ray
-        // enters it, if g does not exceed the tolerance at the knot behind the root: a crease that is seen edge on
-        // may be a silhouette. Up to that knot g rises by the slope times the way.
+        // A root is undecided if its height is within the tolerance of an end or of a step, `pads`. A root
+        // where the ray leaves the solid is also undecided within the slip of any other knot. So is one where
+        // the ray enters it, if g does not exceed the tolerance at the knot behind the root: a crease that is
+        // seen edge on may be a silhouette. Up to that knot g rises by the slope times the way.
         let slip = fixed(bounds.slip, numbers.p);
         let [pad, knot_pad] = [bounds.tolerance, bounds.knot_tolerance].map(|pad| fixed(pad, numbers.p));
         let pads = [
@@ -204,7 +204,8 @@ impl Numbers {
                         break 'pixels;
                     }
                     let to_knot = half - if dz < 0 { -z } else { z };
-                    // Less than 2⁴⁸, and with 12 bits more less than 2⁶⁰: in a steep segment the slope has few.
+                    // Less than 2⁴⁸, and with 12 bits more less than 2⁶⁰: in a steep segment the slope has
+                    // few.
                     let rise = (i64::from(sigma) * i64::from(to_knot.min(slip))) << 12;
                     let tolerance = wide(bounds.tolerance, slope_bits + 12 + numbers.p - numbers.d) + 1;
                     if to_knot < slip && rise <= tolerance * i64::from(dz).abs() {

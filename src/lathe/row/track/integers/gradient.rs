@@ -46,8 +46,8 @@ impl Gradient {
         }
     }
 
-    /// What is seen at a point of the wall, given its x, scaled by √k, and its y, both times −1 if the wall is
-    /// seen from inside, and the derivative of f over v. `None` if the gradient is too short.
+    /// What is seen at a point of the wall, given its x, scaled by √k, and its y, both times −1 if the wall
+    /// is seen from inside, and the derivative of f over v. `None` if the gradient is too short.
     ///
     /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`, of which √k·x is the given
     /// x. It points outwards; if the wall is seen from inside, its signs are changed.

@@ -21,7 +21,7 @@ const SEGMENTS: usize = 64;
 const SIDE: u32 = 120;
 
 /// None of the `FIRST` scenes may take more than `MOST` times the instructions of single rays. A longer search prints those that do: of
-/// 20 000 the dearest takes 4.2 times as many, and ten more than 3 times. These are parallel rays that begin within a
+/// 20 000 the dearest takes 4.1 times as many, and four more than 3 times. These are parallel rays that begin within a
 /// solid, each of which is cast alone and without the fast path, and steep rays at profiles of many segments, whose probes
 /// hold for few pixels.
 const FIRST: u64 = 300;

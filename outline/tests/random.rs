@@ -132,11 +132,11 @@ fn turn(a: &Piece, b: &Piece) -> f64 {
     turn.sin().abs().max(if turn.cos() < 0.0 { 1.0 } else { 0.0 })
 }
 
-/// Whether a piece is level where it begins, to 10⁻⁶ as the fit has it. A curve that begins level is so over a step
-/// of 10⁻⁸, and rounding to f64 tilts that step by less.
+/// Whether a piece is level where it begins. Over a step of 10⁻⁷ a curve that begins level, of control points not 30 times
+/// as far apart in height as in radius, turns by less than 10⁻⁵, and rounding to f64 tilts the step by less than that.
 fn is_level(piece: &Piece) -> bool {
-    let (from, to) = (piece.start(), piece.at(1e-8));
-    (to.z - from.z).abs() <= 1e-6 * (to.r - from.r).abs()
+    let (from, to) = (piece.start(), piece.at(1e-7));
+    (to.z - from.z).abs() <= 1e-5 * (to.r - from.r).abs()
 }
 
 /// An outline with two to seven pieces outside, perhaps with an inner wall, and its kind.

@@ -157,7 +157,7 @@ impl<'a> RowBounds<'a> {
         let is_culled = is_outside_ball || is_usable && low > high;
         let is_mirrored = grid.is_mirrored
             && is_usable
-            && part.start + part.end == part.width
+            && part.start == part.width - part.end
             && (part.end - part.start).is_multiple_of(2);
         let middle = if is_mirrored {
             part.width / 2

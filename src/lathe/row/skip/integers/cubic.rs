@@ -68,7 +68,7 @@ impl Cubic {
         for _ in 0..NEWTON_STEPS {
             let (value, slope) = self.with_slope(t);
             let step = Divisor::new(slope.into()).of(value.into(), 30);
-            t = (t - step).clamp(-1 << 30, 1 << 30);
+            t = t.saturating_sub(step).clamp(-1 << 30, 1 << 30);
             if step.abs() < 1 << 16 {
                 break;
             }

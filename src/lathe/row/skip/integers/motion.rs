@@ -43,6 +43,9 @@ impl Numbers {
             // Two less than its logarithm, by which `ilog2` could panic.
             fine = fine.min(29 - most.leading_zeros() as i32);
         }
+        // An interval that ends before it begins, perhaps far away, has no height to look at: its end stands
+        // for it.
+        let from = from.min(to);
         let (middle, half) = ((from + to) >> 1, (to - from + 1) >> 1);
         let [x1, y1, z1] = rays.origin_change.map(|x| x >> (rays.finer - fine));
         let [dx1, dy1, dz1] = rays.direction_change.map(|x| x >> (rays.finer - 3 - fine));

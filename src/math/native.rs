@@ -49,7 +49,7 @@ impl Math for Native {
 fn sqrt(x: f32) -> f32 {
     let root: u32;
     // SAFETY: the target's ABI, `eabihf`, guarantees a floating-point unit. The three instructions change one
-    // core register and `s0`, both declared.
+    // core register, `s0`, and the exception flags of FPSCR; so `preserves_flags` is not promised.
     unsafe {
         core::arch::asm!(
             "vmov s0, {x}",
@@ -57,7 +57,7 @@ fn sqrt(x: f32) -> f32 {
             "vmov {x}, s0",
             x = inlateout(reg) x.to_bits() => root,
             out("s0") _,
-            options(pure, nomem, nostack, preserves_flags),
+            options(pure, nomem, nostack),
         );
     }
     f32::from_bits(root)
@@ -72,8 +72,9 @@ fn sqrt(x: f32) -> f32 {
 #[allow(unsafe_code)]
 fn sqrt(x: f32) -> f32 {
     let root: f32;
-    // SAFETY: the instruction belongs to F, and writes one register and the flags, which are declared.
-    // Without F there are no registers of the class `freg`, and this does not compile.
+    // SAFETY: the instruction belongs to F, and changes one register and the exception flags of `fcsr`; so
+    // `preserves_flags` is not promised. Without F there are no registers of the class `freg`, and this
+    // does not compile.
     unsafe {
         core::arch::asm!(
             "fsqrt.s {root}, {x}",

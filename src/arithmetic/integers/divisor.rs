@@ -63,8 +63,8 @@ pub(crate) fn square_root(square: i64) -> i32 {
     root >> (left / 2 - 1)
 }
 
-/// Four numbers, all shifted to the right by so many bits that none exceeds 2²⁸ in magnitude, and rounded
-/// down; and how many bits these are.
+/// Shifts four numbers to the right, all by the same number of bits, so that none exceeds 2²⁸ in magnitude.
+/// Returns them, rounded down, and the number of bits.
 #[inline(never)]
 pub(crate) fn narrowed(numbers: [i64; 4]) -> ([i32; 4], u32) {
     let most = numbers.iter().fold(0, |most, number| most | number.unsigned_abs());

@@ -191,7 +191,8 @@ impl<'a> TrackedRoot<'a> {
         }
     }
 
-    /// Whether so many of the pixels before the i-th were single rays that what this one hits is not tracked.
+    /// Whether the pixels before the i-th were single rays too often: then a root that the i-th pixel's ray
+    /// finds is not tracked.
     pub fn is_spent(&self, i: u32) -> bool {
         self.spent > i.saturating_add(PATIENCE)
     }

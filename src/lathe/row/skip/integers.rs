@@ -159,7 +159,8 @@ impl Numbers {
     fn g_between(self, path: &Path, segment: &Segment, (from, to): (i32, i32), is_negative: bool) -> Cubic {
         let wall = segment.wall.in_integers();
         let [bottom, top] = [segment.low, segment.high].map(|z| fixed(z, self.w));
-        // The heights lie in the slab, but for rounding, and so |v| ≤ 1/2 there. (`clamp` could panic.)
+        // The heights lie in the slab to within rounding. They are cut to it, so that |v| ≤ 1/2. `clamp` would
+        // link a panic.
         let parameter_bits = (31 - self.w - i32::from(wall.height)).max(0) as u32;
         let [v0, v1] = [from, to].map(|s| {
             let [.., z] = path.at(s);

@@ -201,6 +201,10 @@ pub trait Paint: Copy {
     /// ```
     const SHADES: Rgb;
 
+    /// Whether [`Paint::shade`] and [`Paint::background`] depend on the shades alone, not on the pixel's
+    /// column and row. If so, the background of a row is computed for its first pixel only.
+    const IS_UNIFORM: bool = false;
+
     /// The color of the pixel in column x, row y, for a color in shades. Each of its channels is from 0 to
     /// that of `SHADES`; [`Shades::nearest`] and [`Shades::units`] return them.
     fn shade(shades: Shades, x: u32, y: u32) -> Self;
@@ -223,6 +227,7 @@ pub trait Paint: Copy {
 impl Paint for Rgb {
     // A power of two: dividing by it is exact.
     const SHADES: Rgb = Rgb::gray(128.0);
+    const IS_UNIFORM: bool = true;
 
     #[inline(always)]
     fn shade(shades: Shades, _: u32, _: u32) -> Self {
@@ -255,6 +260,7 @@ impl Paint for Rgb {
 /// ```
 impl<C: Paint> Paint for Option<C> {
     const SHADES: Rgb = C::SHADES;
+    const IS_UNIFORM: bool = C::IS_UNIFORM;
 
     #[inline(always)]
     fn shade(shades: Shades, x: u32, y: u32) -> Self {

@@ -12,6 +12,7 @@ macro_rules! channels {
     ($($color:ty),*) => {$(
         impl Paint for $color {
             const SHADES: Rgb = Rgb::new(Self::MAX_R as f32, Self::MAX_G as f32, Self::MAX_B as f32);
+            const IS_UNIFORM: bool = true;
 
             #[inline]
             fn shade(shades: Shades, _: u32, _: u32) -> Self {
@@ -66,6 +67,7 @@ fn sum(shades: Shades) -> u32 {
 
 impl Paint for Gray8 {
     const SHADES: Rgb = luma(255.0);
+    const IS_UNIFORM: bool = true;
 
     #[inline]
     fn shade(shades: Shades, _: u32, _: u32) -> Self {

@@ -101,6 +101,9 @@ impl Raster<'_> {
     #[inline(never)]
     fn background<C: Paint>(&self, x: u32, y: u32, part: &mut [C]) {
         let shades = self.scene.background.row(y, self.height).shades(most_shades::<C>()).rounded();
+        if C::IS_UNIFORM {
+            return fill(part, C::background(shades, x, y));
+        }
         for (pixel, x) in part.iter_mut().zip(x..) {
             *pixel = C::background(shades, x, y);
         }
@@ -149,4 +152,23 @@ impl Raster<'_> {
             }
         }
     }
+}
+
+/// Fills pixels with one color.
+#[inline(always)]
+fn fill<C: Copy>(part: &mut [C], pixel: C) {
+    let pair = twice(pixel);
+    if let Some(last) = part.last_mut() {
+        *last = pixel;
+    }
+    for pixels in part.chunks_exact_mut(2) {
+        pixels.copy_from_slice(&pair);
+    }
+}
+
+/// A color twice. This is not inlined: so the compiler has two pixels of 16 bits in one register, and stores
+/// both at once.
+#[inline(never)]
+const fn twice<C: Copy>(pixel: C) -> [C; 2] {
+    [pixel, pixel]
 }

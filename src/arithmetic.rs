@@ -32,7 +32,7 @@ pub(crate) use floats::*;
         not(embedded_lathe_arithmetic = "floats"),
         any(
             all(target_arch = "arm", not(target_abi = "eabihf")),
-            all(target_arch = "riscv32", not(any(target_feature = "f", embedded_lathe_riscv_f))),
+            all(target_arch = "riscv32", not(embedded_lathe_riscv_f)),
         )
     )
 ))]

@@ -11,7 +11,7 @@ use super::{Libm, Math};
 /// | any other | [`Libm`]'s |
 ///
 /// Whether a RISC-V has F, stable Rust does not show to `cfg`. The crate's build script knows it by the
-/// target's name, such as `riscv32imafc-unknown-none-elf`. For a target whose name does not say it,
+/// target's name, such as `riscv32imafc-unknown-none-elf`. For a RISC-V whose name does not say it,
 /// `RUSTFLAGS='--cfg embedded_lathe_riscv_f'` does; without that the root is computed by software, with the
 /// same bits, and pictures in integers.
 ///
@@ -64,10 +64,7 @@ fn sqrt(x: f32) -> f32 {
 }
 
 /// √x by the instruction `fsqrt.s`.
-#[cfg(all(
-    any(target_arch = "riscv32", target_arch = "riscv64"),
-    any(target_feature = "f", embedded_lathe_riscv_f)
-))]
+#[cfg(embedded_lathe_riscv_f)]
 #[inline(always)]
 #[allow(unsafe_code)]
 fn sqrt(x: f32) -> f32 {
@@ -89,10 +86,7 @@ fn sqrt(x: f32) -> f32 {
 /// √x by the standard library, or by [`Libm`] without it.
 #[cfg(not(any(
     all(target_arch = "arm", target_os = "none", target_abi = "eabihf"),
-    all(
-        any(target_arch = "riscv32", target_arch = "riscv64"),
-        any(target_feature = "f", embedded_lathe_riscv_f)
-    )
+    embedded_lathe_riscv_f
 )))]
 #[inline(always)]
 fn sqrt(x: f32) -> f32 {

@@ -19,6 +19,7 @@ mod libm;
 mod micromath;
 pub(crate) mod minmax;
 mod native;
+mod root;
 mod rsqrt;
 #[cfg(all(feature = "std", not(target_os = "none")))]
 mod std;

@@ -1,14 +1,14 @@
 use super::{Libm, Math};
 
-/// The machine's own correctly rounded square root where it has one, and [`Libm`] for the rest. The renderer
-/// uses this backend.
+/// The machine's own correctly rounded square root where it has one, else a small one in integers; [`Libm`]
+/// for the other functions. The renderer uses this backend.
 ///
 /// | machine | root |
 /// |---|---|
 /// | hard-float Arm without an operating system | `vsqrt.f32` |
 /// | RISC-V with the extension F | `fsqrt.s` |
 /// | any other with an operating system, feature `std` | the standard library's |
-/// | any other | [`Libm`]'s |
+/// | any other | in integers, bit by bit |
 ///
 /// Whether a RISC-V has F, stable Rust does not show to `cfg`. The crate's build script knows it by the
 /// target's name, such as `riscv32imafc-unknown-none-elf`. For a RISC-V whose name does not say it,
@@ -83,16 +83,18 @@ fn sqrt(x: f32) -> f32 {
     root
 }
 
-/// √x by the standard library, or by [`Libm`] without it.
+/// √x by the standard library, or without it in integers.
 #[cfg(not(any(
     all(target_arch = "arm", target_os = "none", target_abi = "eabihf"),
     embedded_lathe_riscv_f
 )))]
 #[inline(always)]
 fn sqrt(x: f32) -> f32 {
-    #[cfg(not(all(feature = "std", not(target_os = "none"))))]
-    use super::Libm as Root;
     #[cfg(all(feature = "std", not(target_os = "none")))]
-    use super::Std as Root;
-    Root::sqrt(x)
+    use super::Std;
+    #[cfg(not(all(feature = "std", not(target_os = "none"))))]
+    use super::root::root;
+    #[cfg(all(feature = "std", not(target_os = "none")))]
+    let root = Std::sqrt;
+    root(x)
 }

@@ -90,13 +90,13 @@ fn every_way_gives_the_same_pixels() {
             compared.add(part.get_pixel(Point::new(x, y)), at(x as u32 + 30, y as u32 + 20), "part");
         }
         let Compared { differ, pixels } = compared;
-        println!("{name}, {width} wide: {differ} of {pixels} pixels differ by one step");
+        println!("{name}, {width} wide: {differ} of {pixels} pixels differ by one shade");
         assert!(differ * 10_000 <= pixels, "{name}, {width} wide: {differ} of {pixels}");
     }
 }
 
 /// How many pixels of 240×240 differ between whole rows and parts of so many pixels, in a display's finest
-/// colors: by one step of a channel, and by more.
+/// colors: by one shade of a channel, and by more.
 fn differing_by_parts(scene: &Scene, parts: &[usize]) -> [usize; 2] {
     let whole = rows(scene, 240, 240, &[240], Rgb888::BLACK);
     let parts = rows(scene, 240, 240, parts, Rgb888::BLACK);

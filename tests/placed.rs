@@ -125,7 +125,7 @@ fn a_picture_is_drawn_where_it_is_put() {
             .with_background(scenes::SKY);
         check(&scene, &mut rng, &format!("case {case}"));
     }
-    println!("{} of {} pixels differ by a step; {outside} lay outside", compared.differ, compared.pixels);
+    println!("{} of {} pixels differ by a shade; {outside} lay outside", compared.differ, compared.pixels);
     assert_few(&compared);
     assert!(outside > 20);
 }
@@ -447,7 +447,7 @@ fn scenes_that_jump_are_drawn_by_their_rectangles() {
         let scene = Scene::new(&before, camera, scenes::DAYLIGHT).with_background(scenes::SKY);
         check(&scene, &after, &format!("case {case}"));
     }
-    println!("{drawn} of {} pixels drawn, {} differ by a step", compared.pixels, compared.differ);
+    println!("{drawn} of {} pixels drawn, {} differ by a shade", compared.pixels, compared.differ);
     assert_few(&compared);
     assert!(drawn < compared.pixels * 9 / 10);
 }

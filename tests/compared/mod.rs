@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 
-/// Pixels compared, and those that differ: by one step of a channel, where rounding decides.
+/// Pixels compared, and those that differ: by one shade of a channel, where rounding decides.
 #[derive(Default)]
 pub struct Compared {
     pub pixels: usize,

@@ -20,8 +20,9 @@ pub(super) struct Depths<'a, C> {
     /// The distance of the nearest sheet so far, for each pixel: infinite if there is none.
     nearest: &'a mut [f32],
     block: Block<'a>,
-    /// A bound of the error of any distance that a sweep has found, of this sheet and those before it.
-    error: f32,
+    /// Twice a bound of the error of any distance that a sweep has found, of this sheet and those before it.
+    /// Two distances that differ by more are in the order that single rays find.
+    margin: f32,
     /// What converts the s of this sheet's sweep to distances.
     pub scale: Scale,
 }
@@ -38,13 +39,13 @@ impl<'a, C: Paint> Depths<'a, C> {
     /// distances, each of which is to be infinite.
     #[inline(always)]
     pub fn new(run: &'a mut [C], nearest: &'a mut [f32], block: Block<'a>) -> Self {
-        Self { run, nearest, block, error: 0.0, scale: Scale::default() }
+        Self { run, nearest, block, margin: 0.0, scale: Scale::default() }
     }
 
     /// Prepares for the pixels of the next sheet: stores what the distances of its sweep are computed from,
-    /// and raises the bound of their error to that of this sweep if it is larger.
+    /// and raises the margin to that of this sweep if it is larger.
     pub fn begin(&mut self, sweep: &Sweep) {
-        self.error = greater(self.error, sweep.depth_error());
+        self.margin = greater(self.margin, 2.0 * sweep.depth_error());
         self.scale = sweep.scale();
     }
 
@@ -54,17 +55,16 @@ impl<'a, C: Paint> Depths<'a, C> {
     // In a build for speed the compiler inlines it. In a build for size it is one function for all callers.
     #[inline]
     pub fn shown(&mut self, brush: &Brush, at: usize, distance: f32) -> Option<&mut C> {
-        let Self { run, nearest, block, error, .. } = self;
+        let Self { run, nearest, block, margin, .. } = self;
         let nearest = nearest.get_mut(at)?;
         let gap = nearest.abs() - distance.abs();
-        if gap < -2.0 * *error {
-            return None;
-        }
-        if gap > 2.0 * *error {
+        if gap > *margin {
             *nearest = distance;
+        } else if gap + *margin < 0.0 {
+            return None;
         } else {
             cold_path();
-            let (before, t) = block.compare(brush.rays, brush.column(at), *nearest, distance, *error);
+            let (before, t) = block.compare(brush.rays, brush.column(at), *nearest, distance, *margin);
             // The minus sign marks the distance as a single ray's: if a further sheet comes as near at this
             // pixel, `compare` takes it as it is, and casts no rays at the sheets painted so far.
             let is_shown = t < before.abs();
@@ -79,16 +79,16 @@ impl<'a, C: Paint> Depths<'a, C> {
 
 impl Block<'_> {
     /// Two distances of a column, so exact that their order is that which single rays find, where the known
-    /// ones are closer together than their errors: that of the nearest sheet painted before, and that of the
-    /// sheet that `rays` are cast at. `nearest` and `distance` are the known ones, `error` bounds the error
-    /// of one that a sweep has found. The second is returned as a single ray finds it. So is the first,
-    /// negated, unless it is as far from the second as a sweep's error: then it is returned as it is. If the
-    /// two results are equal, the pixel shows what was painted before, which is the first in the slice.
+    /// ones are closer together than the margin: that of the nearest sheet painted before, and that of the
+    /// sheet that `rays` are cast at. `nearest` and `distance` are the known ones. The second is returned as a
+    /// single ray finds it. So is the first, negated, unless it differs from the second by more than a
+    /// sweep's error, half of the margin: then it is returned as it is. If the two results are equal, the
+    /// pixel shows what was painted before, which is the first in the slice.
     #[cold]
     #[inline(never)]
-    fn compare(&self, rays: &SolidRays, column: u32, nearest: f32, distance: f32, error: f32) -> (f32, f32) {
+    fn compare(&self, rays: &SolidRays, column: u32, nearest: f32, distance: f32, margin: f32) -> (f32, f32) {
         let t = if distance < 0.0 { -distance } else { rays.distance(rays.solid, rays.sheet, column) };
-        if nearest < 0.0 || (nearest - t).abs() > error {
+        if nearest < 0.0 || (nearest - t).abs() > 0.5 * margin {
             return (nearest, t);
         }
         let mut before = f32::INFINITY;

@@ -88,8 +88,12 @@ pub(super) struct RowBounds<'a> {
     /// A bound of D² of all rays.
     pub longest: f32,
     /// The least slope A that a root tracked in a cylinder must have for its distance to be compared with
-    /// another solid's: a sixteenth of the length of the longest direction. For a cap's distance |dz| must be
-    /// at least a quarter of this least slope. Zero if distances are not compared.
+    /// another solid's: a thirty-second of the length of the longest direction. For a cap's distance |dz|
+    /// must be at least half of this least slope. Zero if distances are not compared.
+    ///
+    /// A root in a cylinder that is tracked at all has this slope: it is `2·√(q·tolerance)` where q is the
+    /// square of that length, see [`SegmentBounds::slack`]. Less would only leave steep segments more roots,
+    /// and make the errors of all distances larger.
     pub least_slope: f32,
 }
 
@@ -190,7 +194,7 @@ impl<'a> RowBounds<'a> {
             tolerance,
             knot_tolerance: if frame.has_rings { tolerance } else { 0.0 },
             longest: grid.longest,
-            least_slope: if part.has_depth { 0.0625 * upper_root(grid.longest) } else { 0.0 },
+            least_slope: if part.has_depth { 0.03125 * upper_root(grid.longest) } else { 0.0 },
         };
         (bounds, rays)
     }
@@ -222,12 +226,12 @@ impl RowBounds<'_> {
     /// distances are not compared.
     ///
     /// The distance of a root is off by the error of g, from rounding and a run's additions, divided by the
-    /// slope, and by what the last Newton step leaves. Both count twice, for the single ray has
-    /// them as well. The error of g is 1 + S/2 times that in a cylinder, so that the quotient is the same for
-    /// all segments. The distance of a cap is off by the error of its height divided by |dz|, which is L/4 at
-    /// least. In addition every distance is rounded itself.
+    /// slope, and by what the last Newton step leaves. Rounding and that step count twice, for the single ray
+    /// has them as well. The error of g is 1 + S/2 times that in a cylinder, so that the quotient is the same
+    /// for all segments. The distance of a cap is off by the error of its height divided by |dz|, which is
+    /// L/2 at least; this counts twice, too. In addition every distance is rounded itself.
     pub fn depth_error(&self) -> f32 {
-        (2.0 * ROOT + (4.0 * self.slip + 2.0 * ADDITIONS) / self.least_slope + self.slip) / self.unit
+        (2.0 * ROOT + (4.0 * self.slip + ADDITIONS) / self.least_slope + self.slip) / self.unit
     }
 }
 

@@ -33,6 +33,6 @@ impl Numbers {
         let toward = -flat.up * d.z;
         let from_rims = flat.half - (x * x + y * y - flat.middle).abs();
         let clear = lesser(from_rims, s - sweep.bounds.start) * toward;
-        (clear > sweep.bounds.tolerance && 4.0 * toward >= sweep.bounds.least_slope).then_some(Length(s))
+        (clear > sweep.bounds.tolerance && 2.0 * toward >= sweep.bounds.least_slope).then_some(Length(s))
     }
 }

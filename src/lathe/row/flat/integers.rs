@@ -22,7 +22,7 @@ impl Numbers {
             inner: wide(inner, 2 * self.w),
             outer: wide(outer, 2 * self.w),
             tolerance: wide(bounds.tolerance, 28 + self.d),
-            least: fixed(bounds.least_slope, self.d - 2),
+            least: fixed(bounds.least_slope, self.d - 1),
             start: fixed(bounds.start, self.w + 32 - self.d),
             up,
         }

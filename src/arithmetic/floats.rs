@@ -18,6 +18,12 @@ impl Numbers {
     /// Whether a root is certified by how fast its ray approaches the axis.
     pub const HAS_APPROACH: bool = true;
 
+    /// How many pixels at most are tracked in one call: half a row of the usual displays.
+    ///
+    /// From pixel to pixel M and D are changed by an addition. After 128 additions they are off by 128·2⁻²⁴
+    /// of the solid's size at most, and g by four times that, 2⁻¹⁵, which is an eighth of the tolerance.
+    pub const MOST_PIXELS: u32 = 128;
+
     /// The format for a row, given its `span`, a bound of D², and a bound of |M|.
     #[inline(always)]
     pub const fn new(_span: f32, _longest: f32, _far: f32) -> Self {

@@ -18,8 +18,8 @@ use crate::vector::{F32x3, dot, dot_xy, one_norm};
 /// changes one of 255 shades by 2⁻¹¹ of a shade at most.
 const ROOT: f32 = 1.0 / 524_288.0;
 
-/// A bound of what the additions of a run of tracked pixels can do to g: a sixteenth of the tolerance, see
-/// `track.rs`.
+/// A bound of what the additions of a run of tracked pixels can do to g where distances are compared: a
+/// sixteenth of the tolerance, see `track.rs`.
 const ADDITIONS: f32 = TOLERANCE / 16.0;
 
 /// A part of a row of `width` pixels: the columns from `start` to before `end`.

@@ -9,22 +9,19 @@ mod floats;
 mod integers;
 
 use super::sweep::Sweep;
-use crate::arithmetic::{Length, Seen};
+use crate::arithmetic::{Length, Numbers, Seen};
 
-/// How many pixels at most are tracked in one call.
-///
-/// From pixel to pixel M and D are changed by an addition. In floats, after 64 additions, they are off by
-/// 64·2⁻²⁴ of the solid's size at most, and g by four times that, 2⁻¹⁶, which is a sixteenth of the
-/// tolerance. In integers the additions are exact; how far rounding of what is added can move a point is part
-/// of the row's slip.
-const MOST_PIXELS: u32 = 64;
+/// How many pixels at most are tracked in one call where distances are compared. In twice as many the
+/// additions of [`Numbers::MOST_PIXELS`] would make twice as large an error of a distance.
+const MOST_COMPARED: u32 = 64;
 
 impl Sweep<'_> {
     /// The pixel before which a call of [`Sweep::track`] that begins with the i-th must end. It is i or less
     /// if the root has no certificate for the i-th pixel.
     #[inline(always)]
     pub(super) fn limit(&self, i: u32) -> u32 {
-        (i + MOST_PIXELS.min(self.direction.len - i)).min(self.root.certificate.until)
+        let most = if self.bounds.least_slope > 0.0 { MOST_COMPARED } else { Numbers::MOST_PIXELS };
+        (i + most.min(self.direction.len - i)).min(self.root.certificate.until)
     }
 
     /// Tracks the root from the i-th pixel to before pixel `to`, which is at most [`Sweep::limit`]. Calls

@@ -35,7 +35,7 @@ use gradient::Gradient;
 
 /// In a segment with a larger [`Wall::block`](crate::arithmetic::integers::Wall::block) no root is tracked.
 ///
-/// With this one rounding changes g by less than 2⁻¹⁶, which is what the additions of a run may do in floats.
+/// With this one rounding changes g by less than 2⁻¹⁶, which is what the additions of 64 pixels may do in floats.
 /// For what is rounded, by half a unit to two units each, are the coefficients of f, three products, and two
 /// squares: together 10 units of 2^(2·block − 26).
 ///

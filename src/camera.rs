@@ -1,6 +1,7 @@
 //! A camera: it turns the columns and rows of a picture into rays.
 
 use crate::math::const_fn;
+use crate::math::minmax::greater;
 use crate::ray::Ray;
 use crate::scene_error::SceneError;
 use crate::vector::{F32x3, array, cross, difference, dot, one_norm, scale, sum, unit, vector};
@@ -29,6 +30,9 @@ pub struct Camera {
     pub(crate) up: F32x3,
     /// Whether the rays meet in the eye or are parallel.
     pub(crate) projection: Projection,
+    /// An upper bound of |x| + |y| + |z| over the origins of a square picture's rays, for the rounding of
+    /// each; zero if all rays start at the eye, which is not rounded.
+    origin_bound: f32,
 }
 
 /// How a camera's rays run.
@@ -87,7 +91,8 @@ impl Camera {
         if !(half_width >= least && half_width <= most) {
             return Err(SceneError::HalfWidth { half_width, least, most });
         }
-        Ok(Self { right: scale(self.right, factor), up: scale(self.up, factor), ..self })
+        let Self { eye, forward, right, up, projection, .. } = self;
+        Ok(Self::of(eye, forward, [scale(right, factor), scale(up, factor)], projection))
     }
 
     /// A camera of either kind; `least` and `most` are the limits of its half-width.
@@ -117,14 +122,22 @@ impl Camera {
         let Some(right) = unit(right) else {
             return Err(along);
         };
-        let eye = vector(eye);
-        Ok(Self {
-            eye,
-            forward,
-            right: scale(right, half_width),
-            up: scale(cross(right, forward), half_width),
-            projection,
-        })
+        let up = scale(cross(right, forward), half_width);
+        Ok(Self::of(vector(eye), forward, [scale(right, half_width), up], projection))
+    }
+
+    /// The camera of these vectors.
+    pub(crate) const fn of(
+        eye: F32x3,
+        forward: F32x3,
+        [right, up]: [F32x3; 2],
+        projection: Projection,
+    ) -> Self {
+        let origin_bound = match projection {
+            Projection::Perspective => 0.0,
+            Projection::Orthographic => one_norm(eye) + one_norm(right) + one_norm(up),
+        };
+        Self { eye, forward, right, up, projection, origin_bound }
     }
 
     /// Where the camera is.
@@ -235,15 +248,10 @@ impl Row<'_> {
     /// An upper bound of |x| + |y| + |z| over the origins of the row's rays, for the rounding of each origin.
     /// In orthographic view each ray has an origin of its own: the eye plus the pixel's offset, rounded. In
     /// perspective all rays start at the eye, which is not rounded; then the result is zero.
+    #[inline(always)]
     pub const fn origin_bound(&self) -> f32 {
-        let Camera { eye, right, up, projection, .. } = self.camera;
-        match projection {
-            Projection::Perspective => 0.0,
-            Projection::Orthographic => {
-                let down = (2.0 * self.y as f32 + 1.0 - self.height as f32) / self.width as f32;
-                one_norm(*eye) + one_norm(*right) + one_norm(*up) * down.abs()
-            }
-        }
+        let down = (2.0 * self.y as f32 + 1.0 - self.height as f32) / self.width as f32;
+        self.camera.origin_bound * greater(1.0, down.abs())
     }
 
     /// How many rows the row is below the picture's middle.

@@ -123,7 +123,7 @@ impl Camera {
         let across = sum(scale(self.right, x), scale(self.up, y));
         let eye = sum(self.eye, sum(across, scale(self.forward, z)));
         if finite(eye) {
-            Ok(Self { eye, ..self })
+            Ok(Self::of(eye, self.forward, [self.right, self.up], self.projection))
         } else {
             Err(SceneError::Position { position: array(eye) })
         }

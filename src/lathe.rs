@@ -111,6 +111,7 @@ impl<const N: usize> Lathe<[Segment; N]> {
             i += 1;
         }
         let Bounds { max_slope, curvature, convexity, slope_jumps, steps } = Bounds::of(&segments, len);
+        let max_slope = if curvature < f32::INFINITY { max_slope } else { f32::INFINITY };
         let (low, high) = (segments[0].low, segments[len - 1].high);
         // −low and high may differ, because the middle is rounded, or is that of another sheet.
         let half = high.abs().max(low.abs());

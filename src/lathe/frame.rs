@@ -74,7 +74,8 @@ pub(crate) struct Frame {
     /// The radius of a cylinder about the axis that contains the solid, in object space. It is infinite for a
     /// sheet (k = 0).
     pub radius: f32,
-    /// An upper bound of |F′|, where F is the squared radius by height.
+    /// An upper bound of |F′|, where F is the squared radius by height. NaN or infinite if it, or `curvature`,
+    /// is beyond the range of f32.
     pub max_slope: f32,
     /// An upper bound of |F″/2|.
     pub curvature: f32,

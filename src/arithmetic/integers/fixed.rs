@@ -97,7 +97,7 @@ pub(crate) const fn exponent(x: f32) -> i32 {
 }
 
 /// 2^e; 2⁻¹²⁶ for a lower e, 2¹²⁷ for a higher one.
-#[inline(always)]
+#[inline(never)]
 pub(crate) const fn power_of_two(e: i32) -> f32 {
     let e = if e < -126 {
         -126

@@ -9,7 +9,7 @@ use crate::lathe::segment::Segment;
 use crate::math::const_fn::upper_root;
 use crate::math::minmax::{greater, lesser};
 use crate::math::{Math, Native};
-use crate::vector::{F32x3, dot, dot_xy, one_norm};
+use crate::vector::{F32x3, dot, dot_xy};
 
 /// The error in s that the last Newton step may leave, 2⁻¹⁹: s is counted in lengths of the ray's
 /// direction.
@@ -142,13 +142,18 @@ impl<'a> RowBounds<'a> {
         if !is_whole {
             (rays.origin, rays.direction) = rays.at(from_middle);
         }
-        let is_outside_ball = !(is_whole && j.is_some())
-            && is_outside_ball(grid, &rays, half, WIDENED * frame.size + grid.slip);
         let RayRow { direction: d, direction_change: d1, .. } = rays;
         let steep = d.z.abs() + half * d1.z.abs();
         // D² less dz² is convex in the pixel's number, and so no less than its tangent at the middle.
         let q = greater(0.0, dot_xy(d, d) - 2.0 * half * dot_xy(d, d1).abs());
         let tolerance = grid.tolerance();
+        // A ball that is met by each ray that comes near the solid. Rounding moves the plane by less than the
+        // slip.
+        let is_outside_ball = j.is_none() && {
+            let radius = WIDENED * frame.size + grid.slip;
+            let from_origin = dot(normal, rays.origin);
+            from_origin * from_origin > radius * radius * dot(normal, normal)
+        };
         let Plane { height, spread } = Plane::of(&rays, normal, frame.bounding_square + tolerance);
         let spread = spread + grid.slip;
         let (low, high) = (greater(frame.low, height - spread), lesser(frame.high, height + spread));
@@ -233,17 +238,6 @@ impl RowBounds<'_> {
     pub fn depth_error(&self) -> f32 {
         (2.0 * ROOT + (4.0 * self.slip + ADDITIONS) / self.least_slope + self.slip) / self.unit
     }
-}
-
-/// Whether no ray of a part of a row meets a ball about the frame's origin, given its radius. The rays are
-/// counted from the middle of the part, `half` to either side.
-fn is_outside_ball(grid: &RayGrid, rays: &RayRow, half: f32, radius: f32) -> bool {
-    let RayRow { origin: m, origin_change: m1, direction: d, direction_change: d1 } = *rays;
-    // If any of the rays meets the ball, the middle one meets a ball that is larger by the distance between
-    // the two rays.
-    let near = radius + half * (one_norm(m1) + grid.span * one_norm(d1));
-    let nearest = m - d * (dot(m, d) / dot(d, d));
-    dot(nearest, nearest) > near * near
 }
 
 /// The plane of a row's rays.

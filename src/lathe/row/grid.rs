@@ -163,7 +163,8 @@ impl RayGrid {
         }
         let longest = longest * (1.0 + 1.0 / 1024.0);
         let distance = back.abs() * upper_root(longest) + frame.size + rays.rough * unit;
-        let far = one_norm(origin) + at.abs() * (half_columns * one_norm(right) + half_rows * one_norm(up));
+        let wide = at.abs() * half_columns * one_norm(right);
+        let far = one_norm(origin) + wide + at.abs() * half_rows * one_norm(up);
         let slip = Numbers::new(span, longest, far).slip(LENGTH_TOLERANCE * distance);
         let begins_before = back > span + slip;
         let height_change = (at.abs() + span * apart) * right.z.abs();
@@ -171,8 +172,7 @@ impl RayGrid {
         let is_usable = span <= most_span
             && TOLERANCE + 2.0 * slip < MOST_TOLERANCE
             && (begins_before || rays.rough == 0.0)
-            && frame.max_slope < f32::INFINITY
-            && frame.curvature < f32::INFINITY;
+            && frame.max_slope < f32::INFINITY;
 
         let (mut place, mut place_change) = (0.0, 0.0);
         if half_rows > 0.0 {
@@ -200,10 +200,10 @@ impl RayGrid {
             if half_rows > 0.0 {
                 odd += half_rows * most * most * dot_xy(up, right).abs();
             }
-            let asymmetry = 2.0 * (4.0 * odd + 2.0 * height_change);
-            half_columns * asymmetry < 2.0 * slip
-                && 4.0 * half_columns * height_change <= slip
-                && asymmetry < slip * (at.abs() * one_norm(right))
+            // So g disagrees by half of `asymmetry`, the height by an eighth of it at most, and the plane between
+            // the pixels passes the axis by the same part of the picture's half-width.
+            let asymmetry = 8.0 * half_columns * (odd + height_change);
+            asymmetry < 2.0 * slip && asymmetry < slip * wide
         };
         let axis =
             [-dot(origin, right) * per_square, (right.z - lambda.z * along) * per_square, lambda.z * apart];

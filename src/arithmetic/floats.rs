@@ -36,6 +36,12 @@ impl Numbers {
         Rays
     }
 
+    /// The bits of the s of a tracked root.
+    #[inline(always)]
+    pub fn bits(self, s: f32) -> u32 {
+        s.to_bits()
+    }
+
     /// How far rounding can move a point in this arithmetic, given how far it can in floats: just as far.
     #[inline(always)]
     pub const fn slip(self, slip: f32) -> f32 {

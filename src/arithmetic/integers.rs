@@ -13,7 +13,7 @@ mod wall;
 
 pub(crate) use divisor::{Divisor, narrowed, square_root};
 pub(crate) use fixed::{dot, exponent, fixed, fixed_vector, high, power_of_two, shifted, wide, wide_square};
-pub(crate) use inverse_root::{inverse_root, root_of_quarter, square};
+pub(crate) use inverse_root::{inverse_root, square};
 pub(crate) use rays::Rays;
 pub(crate) use seen::{Cosine, Direction, Gloss, Pair, Seen, ToLight, Views};
 pub(crate) use wall::Wall;
@@ -98,6 +98,12 @@ impl Numbers {
         // meets the solid: less than 2^(1 + s + d), which is 2³⁰ units. A probe looks as far as 5·span.
         let (p, most) = (29 - s - d, 29 - exponent(far));
         Self { s: 30 - s, d: 31 - d, p, w: if p - 3 < most { p - 3 } else { most } }
+    }
+
+    /// The bits of the s of a tracked root: it is in units of 2^−s.
+    #[inline(always)]
+    pub fn bits(self, s: f32) -> u32 {
+        fixed(s, self.s) as u32
     }
 
     /// How far rounding can move a point in this arithmetic, given how far it can in floats. The two add up,

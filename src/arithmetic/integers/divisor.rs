@@ -1,6 +1,6 @@
 //! Quotients and roots of wide integers.
 
-use super::root_of_quarter;
+use super::inverse_root;
 
 /// A number to divide by, held as its inverse. Zero counts as 1.
 #[derive(Clone, Copy)]
@@ -59,7 +59,7 @@ pub(crate) fn square_root(square: i64) -> i32 {
     // An even number, at least 2: afterwards the highest bit is bit 60 or 61.
     let left = (square.leading_zeros() - 2) & !1;
     let quarter = ((square << left) >> 32) as i32;
-    let root = ((i64::from(quarter) * i64::from(root_of_quarter(quarter))) >> 29) as i32;
+    let root = ((i64::from(quarter) * i64::from(inverse_root(quarter))) >> 29) as i32;
     root >> (left / 2 - 1)
 }
 

@@ -1,6 +1,6 @@
 //! What a ray sees of the surface, and in what light.
 
-use super::{exponent, fixed, fixed_vector, high, root_of_quarter, square};
+use super::{exponent, fixed, fixed_vector, high, inverse_root, square};
 use crate::arithmetic::Share;
 use crate::vector::{F32x3, difference, dot, largest, scale, vector};
 
@@ -10,7 +10,7 @@ pub(crate) struct Seen {
     pub direction: Direction,
 }
 
-/// A direction: a vector along it, whose length is from 1/4 to 1.
+/// A direction: a vector along it, whose length is from 1/2 to 1.
 #[derive(Clone, Copy)]
 pub(crate) struct Direction {
     /// Its components, in units of 2⁻³⁰.
@@ -113,7 +113,7 @@ impl Direction {
         // Zero is no direction; it is given a length.
         let square = square.clamp(1 << 58, (1 << 60) - 1);
         let square = (square >> 30) as i32;
-        Self { along, per_length: root_of_quarter(square) }
+        Self { along, per_length: inverse_root(square) }
     }
 
     /// The scalar product of the unit vector in this direction and another vector, whose length may be at

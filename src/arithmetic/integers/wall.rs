@@ -58,6 +58,13 @@ impl Wall {
         ((high(first, v) << 1) + a0, (high(third + second, v) << 1) + first)
     }
 
+    /// A bound of the magnitude of f's derivative over v, for |v| ≤ 1/2, in the units of `a`.
+    #[inline(always)]
+    pub fn steepest(&self) -> u32 {
+        let [_, a1, a2, a3] = self.a;
+        a1.unsigned_abs() + a2.unsigned_abs() + a3.unsigned_abs()
+    }
+
     /// The derivative of f over v, at v, in the units of `a`.
     #[inline(always)]
     pub fn slope(&self, v: i32) -> i32 {

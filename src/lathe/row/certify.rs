@@ -27,7 +27,8 @@
 //! coefficient of p², and P the distance from the root to where the ray comes in. Then, since B is not
 //! negative at P, it is at least `(1 − p/P)·(|A| − c·p·P)` between. P is at most `h/|dz|`, with h the
 //! segment's height. So B is positive if `|A| > |F‴/6|·h²·|dz|`.
-//! Where |A| is less, [`Sweep::is_nearest_at`] decides, pixel by pixel.
+//! Where |A| is less, [`Sweep::is_nearest_at`] decides, pixel by pixel. In integers the height from where the
+//! ray comes in up to the root is tried first instead of h: that decides most of these pixels.
 //!
 //! Where the ray runs nearly level, the slope proves more, whatever the convexity of the segments. Along the
 //! ray `g′ = F′·dz − (x² + y²)′`. Let `a = −(x² + y²)′` at the root, how fast the ray approaches the axis
@@ -103,7 +104,7 @@ impl Sweep<'_> {
             Before::Clear { until: u32::MAX }
         } else {
             let path = self.path(i);
-            let (approach, dz) = bounds.numbers.approach(&path, root.s);
+            let (approach, dz) = bounds.numbers.approach(&path, root.motion[0]);
             // dz is linear in the pixel's number.
             let last = dz + LEVEL_PIXELS as f32 * self.direction.rays.direction_change.z;
             let dz = greater(dz.abs(), last.abs());

@@ -58,7 +58,7 @@ impl Sweep<'_> {
         };
         if let Probe::MayMeet(start) = probe {
             self.root.start = Some(start);
-            self.root.begin(start);
+            self.root.begin(self.bounds.numbers, start);
             self.root.tries = NEWTON_STEPS;
         }
         probe
@@ -95,7 +95,7 @@ impl Sweep<'_> {
                         root.probed = i;
                     }
                     let plane = root.index + usize::from(upper);
-                    root.begin(Start { index: plane, s: 0.0, sign: 0.0 });
+                    root.begin(self.bounds.numbers, Start { index: plane, s: 0.0, sign: 0.0 });
                     return;
                 }
                 index
@@ -119,7 +119,7 @@ impl Sweep<'_> {
                     return;
                 }
                 Certification::Another(start) => {
-                    self.root.begin(start);
+                    self.root.begin(self.bounds.numbers, start);
                     return;
                 }
                 Certification::Undecided => {}
@@ -138,7 +138,8 @@ impl Sweep<'_> {
             if self.root.is_spent(i) {
                 return;
             }
-            self.root.begin(Start { index: hit.segment, s, sign: if hit.enters { 1.0 } else { -1.0 } });
+            let sign = if hit.enters { 1.0 } else { -1.0 };
+            self.root.begin(self.bounds.numbers, Start { index: hit.segment, s, sign });
             self.root.tries = NEWTON_STEPS;
         }
     }

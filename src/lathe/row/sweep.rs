@@ -9,7 +9,7 @@
 
 use super::bounds::{RowBounds, SegmentBounds};
 use super::ray_row::RayRow;
-use crate::arithmetic::{Flat, Rays};
+use crate::arithmetic::{Flat, Numbers, Rays};
 use crate::lathe::segment::Segment;
 use crate::vector::F32x3;
 use core::ops::Range;
@@ -92,10 +92,8 @@ pub(super) struct TrackedRoot<'a> {
     /// as one where the reversed ray enters: its s has the other sign there.
     pub sign: f32,
     /// `sign·s` as predicted for the next pixel; its last change from pixel to pixel; and the last change of
-    /// that.
-    pub s: f32,
-    pub change: f32,
-    pub bend: f32,
+    /// that: the bits of numbers of the row's arithmetic.
+    pub motion: [u32; 3],
     /// The segment that the root is in, as an index and by reference. After [`TrackedRoot::begin`] only
     /// `index` is right, until [`Sweep::next`] has looked the segment up.
     pub index: usize,
@@ -170,9 +168,7 @@ impl<'a> TrackedRoot<'a> {
         Self {
             is_tracked: false,
             sign: 1.0,
-            s: 0.0,
-            change: 0.0,
-            bend: 0.0,
+            motion: [0; 3],
             index: 0,
             segment,
             certificate: Certificate {
@@ -198,9 +194,10 @@ impl<'a> TrackedRoot<'a> {
     }
 
     /// Begins to track a root near a place. It has no certificate yet: that of the last root is ended. If the
-    /// place is a plane, this ends tracking, and makes the plane the next one to be looked at.
-    pub fn begin(&mut self, Start { index, s, sign }: Start) {
-        (self.sign, self.s, self.change, self.bend) = (sign, sign * s, 0.0, 0.0);
+    /// place is a plane, this ends tracking, and makes the plane the next one to be looked at. `numbers` are
+    /// those of the row.
+    pub fn begin(&mut self, numbers: Numbers, Start { index, s, sign }: Start) {
+        (self.sign, self.motion) = (sign, [numbers.bits(sign * s), 0, 0]);
         (self.index, self.certificate.until, self.is_tracked) = (index, 0, sign != 0.0);
         if !self.is_tracked {
             self.plane = index;

@@ -50,10 +50,10 @@ impl Numbers {
         (gap > 0.0).then(|| (gap / greater(0.0, closing)) as u32)
     }
 
-    /// How fast a ray approaches the axis at s, −(x² + y²)′, and its dz.
+    /// How fast a ray approaches the axis at s, −(x² + y²)′, and its dz. s is given by its bits.
     #[inline(always)]
-    pub(in crate::lathe::row) fn approach(self, path: &LocalRay, s: f32) -> (f32, f32) {
-        (-2.0 * path.around(s).1, path.dz)
+    pub(in crate::lathe::row) fn approach(self, path: &LocalRay, s: u32) -> (f32, f32) {
+        (-2.0 * path.around(f32::from_bits(s)).1, path.dz)
     }
 
     /// [`Sweep::interval`].

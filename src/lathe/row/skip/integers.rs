@@ -111,7 +111,7 @@ impl Numbers {
 
     /// It is not computed: see [`Numbers::HAS_APPROACH`].
     #[inline(always)]
-    pub(in crate::lathe::row) fn approach(self, _path: &Path, _s: f32) -> (f32, f32) {
+    pub(in crate::lathe::row) fn approach(self, _path: &Path, _s: u32) -> (f32, f32) {
         (0.0, 0.0)
     }
 

@@ -41,7 +41,7 @@ impl Numbers {
         let from = (if root.index == 0 { pad } else { knot_pad }).to_bits();
         let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };
         let width = greater(0.0, 1.0 - to_end).to_bits().saturating_sub(from);
-        let (mut s, mut change, mut bend) = (root.s, root.change, root.bend);
+        let [mut s, mut change, mut bend] = root.motion.map(f32::from_bits);
         let count = to.saturating_sub(i);
         let mut left = count;
 
@@ -103,7 +103,7 @@ impl Numbers {
             left -= 1;
         }
         let root = &mut sweep.root;
-        (root.s, root.change, root.bend, root.end) = (s, change, bend, Some(end));
+        (root.motion, root.end) = ([s, change, bend].map(f32::to_bits), Some(end));
         if left < count {
             root.tries = NEWTON_STEPS;
         }

@@ -53,6 +53,16 @@ fn is_within(x: i32, limit: i32) -> bool {
     (x.wrapping_add(limit) as u32) < 2 * limit as u32
 }
 
+/// Whether a slope exceeds what a certificate asks for at a root, given the slack and the slope that is certain
+/// anywhere in the segment: what that has beyond the slack counts by the square of the part of the segment
+/// that the ray has passed before the root, see the top of `certify.rs`. The part is given as its height and
+/// half of the segment's, which is less than 2³⁰.
+fn exceeds_part(slope: i32, [slack, certain]: [i32; 2], [way, half]: [i32; 2]) -> bool {
+    let way = (way as u32 >> 1) as i32 + 1;
+    i64::from(slope - slack) * i64::from(high(half, half))
+        > i64::from(certain - slack + 1) * i64::from(high(way, way) + 1)
+}
+
 impl Numbers {
     /// [`Sweep::track`] in integers.
     #[inline(always)]
@@ -82,13 +92,10 @@ impl Numbers {
         // Points have more bits than in `rays`, changes fewer. Where a change wraps around, the next ray does
         // not, if it is in range.
         let up = numbers.p - numbers.w;
-        let change = |x: i32, up: i32| {
-            let half = (1 << rays.finer) >> 1;
-            (((i64::from(x) << up) + half) >> rays.finer) as i32
-        };
+        let rounded = |x: i32, left: i32| if left < 0 { ((x >> (-1 - left)) + 1) >> 1 } else { x << left };
         let (m, d) = rays.at(i);
-        let (m1, d1) =
-            (rays.origin_change.map(|x| change(x, up)), rays.direction_change.map(|x| change(x, 3)));
+        let m1 = rays.origin_change.map(|x| rounded(x, up - rays.finer));
+        let d1 = rays.direction_change.map(|x| rounded(x, 3 - rays.finer));
         let exceeds = |[x, y, z]: [i32; 3], most: u32| {
             x.unsigned_abs() > most || y.unsigned_abs() > most || z.unsigned_abs() > most
         };
@@ -115,9 +122,9 @@ impl Numbers {
         let slope_bits = numbers.d - 4 - block - finer.max(0);
         // The slope is off by 8 units at most: the derivative of f by 5, of which a product with dz leaves
         // half, four products by one each, and the two bounds by half a unit.
-        let [certain, least] =
+        let [certain, slack] =
             [certificate.certain, certificate.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
-        let least = least.max(1 << 12);
+        let least = slack.max(1 << 12);
         // σ without its last `spare` bits has 13 or more, and its inverse in units of 2^(−32 − spare) at most
         // 2²⁰. A Newton step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by
         // 2¹⁰.
@@ -127,10 +134,19 @@ impl Numbers {
         let zoom = left.max(1);
         let back_right = (zoom - left) as u32;
         let most_zoomed = 1 << (31 - zoom);
-        // The last Newton step, of length b, has b² ≤ newton_tolerance·A/4: it leaves ROOT/4; and is at most
-        // 2¹⁸ units, because the inverse is within 2⁻¹⁰ of itself: that leaves 2⁸ units.
-        let square = exponent(certificate.own.newton_tolerance * certificate.slope) - 3;
-        let near = fixed(power_of_two((square >> 1).clamp(-100, 100)), numbers.s).min(1 << 18);
+        // The last Newton step, of length b, has b² ≤ newton_tolerance·A/4: it leaves ROOT/4. A is at least
+        // |D|/4 at most roots; where it is less, the least A counts. And b is at most 2¹⁸ units, less where
+        // the inverse of the largest σ is not within 2⁻¹⁰ of itself: that leaves 2⁸ units. That σ is the
+        // derivative's times |dz|, and r·|D|, where r is less than 2.
+        let most = (wall.steepest() >> 1 >> f_right) + (1 << (29 - block) >> xy_right);
+        let most_bits = 8 + (most >> spare).leading_zeros().min(10) as i32;
+        let near = |slope: i32| {
+            let bits = numbers.s + ((exponent(certificate.own.newton_tolerance) + slope - 3) >> 1);
+            if bits < 0 { 0 } else { 1 << bits.min(most_bits) }
+        };
+        let usual_slope = 29 - numbers.d;
+        let usual = certain.max(1 << (slope_bits + usual_slope).max(0));
+        let (near, least_near) = (near(usual_slope), near(31 - least.leading_zeros() as i32 - slope_bits));
 
         // A root is undecided if its height is within the tolerance of an end or of a step, `pads`. A root
         // where the ray leaves the solid is also undecided within the slip of any other knot. So is one where
@@ -144,11 +160,14 @@ impl Numbers {
         ];
         let [below, above] = pads.map(|pad| half - pad.max(slip));
         let width = (below + above).max(0) as u32;
-        let mut gradient = Gradient::new(wall, numbers, bounds.lathe.frame.root_squash, is_inside);
+        // Whether the part of a segment before a root can be told, and the slope that is certain is finite.
+        let has_way =
+            slip < half && certain < i32::MAX && bounds.start.to_bits() == f32::NEG_INFINITY.to_bits();
+        let gradient = Gradient::new(wall, numbers, bounds.lathe.frame.root_squash, is_inside);
 
         let unit = power_of_two(-numbers.s);
         let signed_unit = if is_inside { -unit } else { unit };
-        let [mut s, mut change, mut bend] = [root.s, root.change, root.bend].map(|s| fixed(s, numbers.s));
+        let [mut s, mut change, mut bend] = root.motion.map(|bits| bits as i32);
         let count = to.saturating_sub(i);
         let mut left = count;
         let mut end = if is_tracked { TrackEnd::Limit } else { TrackEnd::Uncertified };
@@ -214,15 +233,9 @@ impl Numbers {
                     }
                 }
                 let v = z << parameter_bits;
-                if sigma <= certain {
+                if sigma <= usual {
                     cold_path();
-                    let u = v as f32 * (power_of_two(height - 31) * segment.per_height) + 0.5;
-                    let d = vector([dx, dy, dz].map(|d| d as f32 * power_of_two(-numbers.d)));
-                    let slope = sigma as f32 * power_of_two(-slope_bits);
-                    let back = back as f32 * unit;
-                    // `near` is for slopes that the certificate accepts. A smaller slope asks for a shorter
-                    // Newton step.
-                    if !(4.0 * back * back <= certificate.own.newton_tolerance * slope) {
+                    if !is_within(back, least_near) {
                         tries -= 1;
                         if tries == 0 {
                             end = TrackEnd::Diverged;
@@ -230,11 +243,21 @@ impl Numbers {
                         }
                         continue;
                     }
-                    let s = s as f32 * signed_unit;
-                    let kappa = d.z * segment.per_height;
-                    if !sweep.is_nearest_at(u, s, slope, back, dot_xy(d, d), kappa) {
-                        end = TrackEnd::Uncertified;
-                        break 'pixels;
+                    // The way from where the ray comes into the segment may be longer by the slip than it
+                    // seems.
+                    let way = half + if (dz < 0) != is_inside { -z } else { z } + slip;
+                    let is_steep = has_way
+                        && exceeds_part(sigma, [slack, certain], [way, half].map(|z| z << parameter_bits));
+                    if sigma <= certain && !is_steep {
+                        let u = v as f32 * (power_of_two(height - 31) * segment.per_height) + 0.5;
+                        let d = vector([dx, dy, dz].map(|d| d as f32 * power_of_two(-numbers.d)));
+                        let slope = sigma as f32 * power_of_two(-slope_bits);
+                        let (s, back) = (s as f32 * signed_unit, back as f32 * unit);
+                        let kappa = d.z * segment.per_height;
+                        if !sweep.is_nearest_at(u, s, slope, back, dot_xy(d, d), kappa) {
+                            end = TrackEnd::Uncertified;
+                            break 'pixels;
+                        }
                     }
                 }
                 let Some(seen) = gradient.seen(x, y, wall.slope(v)) else {
@@ -252,8 +275,7 @@ impl Numbers {
             left -= 1;
         }
         let root = &mut sweep.root;
-        [root.s, root.change, root.bend] = [s, change, bend].map(|s| s as f32 * unit);
-        root.end = Some(end);
+        (root.motion, root.end) = ([s, change, bend].map(|s| s as u32), Some(end));
         if left < count {
             root.tries = NEWTON_STEPS;
         }

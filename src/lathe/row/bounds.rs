@@ -142,10 +142,11 @@ impl<'a> RowBounds<'a> {
         if !is_whole {
             (rays.origin, rays.direction) = rays.at(from_middle);
         }
-        let RayRow { direction: d, direction_change: d1, .. } = rays;
-        let steep = d.z.abs() + half * d1.z.abs();
+        let (d, right, half_apart) = (rays.direction, rays.right, half * rays.apart);
+        let turn = half_apart * right.z.abs();
+        let steep = d.z.abs() + turn;
         // D² less dz² is convex in the pixel's number, and so no less than its tangent at the middle.
-        let q = greater(0.0, dot_xy(d, d) - 2.0 * half * dot_xy(d, d1).abs());
+        let q = greater(0.0, dot_xy(d, d) - 2.0 * half_apart * dot_xy(d, right).abs());
         let tolerance = grid.tolerance();
         // A ball that is met by each ray that comes near the solid. Rounding moves the plane by less than the
         // slip.
@@ -176,7 +177,7 @@ impl<'a> RowBounds<'a> {
             // The conversion to u32 saturates; NaN becomes zero.
             part.start.max(part.end.min(pixel as u32))
         };
-        let has_one_side = is_usable && d.z.abs() > half * d1.z.abs();
+        let has_one_side = is_usable && d.z.abs() > turn;
         let bounds = Self {
             lathe,
             numbers: Numbers::new(grid.span, grid.longest, grid.far),

@@ -106,7 +106,7 @@ impl Sweep<'_> {
             let path = self.path(i);
             let (approach, dz) = bounds.numbers.approach(&path, root.motion[0]);
             // dz is linear in the pixel's number.
-            let last = dz + LEVEL_PIXELS as f32 * self.direction.rays.direction_change.z;
+            let last = dz + LEVEL_PIXELS as f32 * self.direction.rays.direction_change().z;
             let dz = greater(dz.abs(), last.abs());
             let least = self.least_approach(dz, own.slack);
             if approach > least {
@@ -164,9 +164,9 @@ impl Sweep<'_> {
         if let Some(is_rising) = self.bounds.rising {
             return (is_rising, u32::MAX);
         }
-        let RayRow { direction, direction_change, .. } = &self.direction.rays;
-        let change = direction_change.z;
-        let dz = direction.z + change * (i as f32 + 0.5);
+        let rays = &self.direction.rays;
+        let change = rays.direction_change().z;
+        let dz = rays.direction.z + change * (i as f32 + 0.5);
         let turn = -dz / change;
         // The conversion to u32 saturates.
         (dz > 0.0, if turn > 0.0 { i.saturating_add((turn as u32).max(1)) } else { u32::MAX })

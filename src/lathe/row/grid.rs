@@ -251,7 +251,7 @@ impl RayGrid {
         if let Some(j) = j {
             origin -= frame.squashed(self.up) * (j * at);
         }
-        let rays = RayRow { origin, origin_change: right * at, direction, direction_change: right * apart };
+        let rays = RayRow { origin, direction, right, at, apart };
         (rays, cross(right, direction))
     }
 

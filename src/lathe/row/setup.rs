@@ -33,7 +33,7 @@ impl Lathe {
         let rays = RayRow { origin, direction, ..rays };
         let numbers = bounds.numbers.rays(
             (origin, direction),
-            (rays.origin_change, rays.direction_change),
+            (rays.origin_change(), rays.direction_change()),
             part.end - part.start,
         );
         let direction = Direction { rays, numbers, is_reversed: false, len: part.end - bounds.middle };

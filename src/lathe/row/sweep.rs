@@ -264,7 +264,7 @@ impl Sweep<'_> {
     /// right half. `None` if the left half is not known to be a mirror image. Where it is, only the right
     /// half is swept.
     pub fn mirror(&self) -> Option<F32x3> {
-        self.bounds.is_mirrored.then_some(self.direction.rays.origin_change)
+        self.bounds.is_mirrored.then_some(self.direction.rays.right)
     }
 
     /// Turns to the left half of the row, where pixels are counted to the left, with no root tracked, and

@@ -5,6 +5,7 @@ use crate::arithmetic::floats::{Numbers, Rays};
 use crate::cubic::{Cubic, quadratic_max_on};
 use crate::lathe::ray::LocalRay;
 use crate::lathe::row::grid::SPANS;
+use crate::lathe::row::ray_row::RayRow;
 use crate::lathe::row::sweep::{Start, Sweep};
 use crate::lathe::segment::Segment;
 use crate::math::minmax::{greater, lesser};
@@ -45,7 +46,7 @@ impl Numbers {
         let (side, edge) = if path.z > 0.0 { (1.0, bounds.high) } else { (-1.0, bounds.low) };
         let gap = side * (path.z - edge) - path.dz.abs() * bounds.span - bounds.tolerance;
         // At a fixed s the height is linear in the pixel's number.
-        let closing = rays.direction_change.z.abs() * bounds.span - side * rays.origin_change.z;
+        let closing = rays.direction_change().z.abs() * bounds.span - side * rays.origin_change().z;
         // The conversion to u32 saturates.
         (gap > 0.0).then(|| (gap / greater(0.0, closing)) as u32)
     }
@@ -174,26 +175,23 @@ impl Numbers {
         (from, to): (f32, f32),
     ) -> u32 {
         let (m, d) = sweep.ray(i);
-        let (m1, d1) = (sweep.direction.rays.origin_change, sweep.direction.rays.direction_change);
-        // The motion v at a height is that of the ray's point at fixed s, and along the ray by so much that z
-        // does not change: `v0 + v1·s`. From here on s is counted from the middle of the interval, where the
-        // ray has its point p and the motion is v.
+        let RayRow { right, at, apart, .. } = sweep.direction.rays;
         let drift = sweep.bounds.drift;
         let per_dz = if drift > 0.0 { path.per_dz } else { 0.0 };
+        // The motion v at a height is that of the ray's point at fixed s, `(at + s·apart)·right`, and along the
+        // ray by so much that z does not change. So it is `(at + s·apart)·h`, where h is horizontal.
+        let rise = right.z * per_dz;
+        let h = right - d * rise;
+        // From here on s is counted from the middle of the interval, where the ray has its point p.
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let (v0, v1) = (m1 - d * (m1.z * per_dz), d1 - d * (d1.z * per_dz));
-        let (p, v) = (m + d * middle, v0 + v1 * middle);
+        let (p, pitch) = (m + d * middle, at + apart * middle);
         // The most of −sign·⟨P, v⟩, half the first term of the change, and of −sign·v², the second.
-        let pace = quadratic_max_on(
-            -sign * dot_xy(p, v),
-            -sign * (dot_xy(p, v1) + dot_xy(d, v)),
-            -sign * dot_xy(d, v1),
-            half,
-        );
-        let square =
-            quadratic_max_on(-sign * dot_xy(v, v), -2.0 * sign * dot_xy(v, v1), -sign * dot_xy(v1, v1), half);
+        let (across, along) = (-sign * dot_xy(p, h), -sign * dot_xy(d, h));
+        let pace = quadratic_max_on(pitch * across, pitch * along + apart * across, apart * along, half);
+        let most = greater(0.0, pitch.abs() - sign * (apart * half).abs());
+        let square = -sign * (most * most) * dot_xy(h, h);
         // ε, negative if dz grows. v is that of the first pixel.
-        let fall = -d1.z * per_dz;
+        let fall = -apart * rise;
         // One over the number of pixels in which the point of a height moves by SPANS spans, or dz falls by
         // FALL of itself.
         let level = greater(drift * per_dz.abs(), fall / FALL);

@@ -28,7 +28,7 @@ impl Numbers {
         let (m, d) = sweep.ray(i);
         let (mut m, mut d) = (point(m, segment.low), toward(d));
         let rays = &sweep.direction.rays;
-        let (m1, d1) = (point(rays.origin_change, 0.0), toward(rays.direction_change));
+        let (m1, d1) = (point(rays.origin_change(), 0.0), toward(rays.direction_change()));
         let [c0, c1, c2, c3] = segment.f;
         let certain = root.certificate.certain;
         let newton_tolerance = root.certificate.own.newton_tolerance;

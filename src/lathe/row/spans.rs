@@ -14,8 +14,11 @@ impl Sweep<'_> {
     /// single ray, i + 1. This function begins to track roots, certifies them, and ends tracking.
     #[inline(always)]
     pub fn next(&mut self, i: u32) -> Span {
-        if let Some(end) = self.root.end.take() {
-            self.resume(i, end);
+        match self.root.end.take() {
+            // The root may have jumped: a probe of this pixel may find it at its new place.
+            Some(TrackEnd::Diverged) => self.root.is_tracked = false,
+            Some(TrackEnd::Limit) | None => {}
+            Some(end) => self.resume(i, end),
         }
         loop {
             if self.root.is_tracked {
@@ -64,10 +67,9 @@ impl Sweep<'_> {
         probe
     }
 
-    /// Continues where tracking ended before the i-th pixel, for the reason `end`:
+    /// Continues where tracking ended before the i-th pixel, for the reason `end`, unless Newton's method
+    /// diverged:
     ///
-    /// - at a limit that lies before the certificate's `until`: the same root is tracked, with the same
-    ///   certificate;
     /// - at the certificate's `until`, where its proof was how fast the ray approaches the axis, which no more
     ///   is fast enough, or where the root moved into the neighbouring segment: the root is
     ///   certified again, in the segment where it is now. If it is the nearest, it is tracked with the new
@@ -75,8 +77,6 @@ impl Sweep<'_> {
     ///   in `root.plane`. If neither is certain, or if `root.tries` is used up, this is the last case;
     /// - where the root left its segment at a step or at the solid's end: no root is tracked, and the plane
     ///   there is noted in `root.plane`. At the solid's end the i-th pixel is not to be probed;
-    /// - where Newton's method diverged: no root is tracked. The i-th pixel may be probed, since the root may
-    ///   have jumped to another place;
     /// - where the root is uncertified: no root is tracked, and the i-th pixel is not to be probed, since a
     ///   probe would find the same root again.
     #[inline(never)]
@@ -84,7 +84,6 @@ impl Sweep<'_> {
         let root = &mut self.root;
         let segments = self.bounds.lathe.segments;
         let index = match end {
-            TrackEnd::Limit if i < root.certificate.until => return,
             TrackEnd::Limit => root.index,
             TrackEnd::Left { upper } => {
                 let index = root.index.wrapping_add(if upper { 1 } else { usize::MAX });
@@ -101,12 +100,7 @@ impl Sweep<'_> {
                 index
             }
             TrackEnd::Uncertified if root.certificate.bump.is_nan() => root.index,
-            TrackEnd::Uncertified => usize::MAX,
-            TrackEnd::Diverged => {
-                // The root may have jumped: a probe of this pixel may find it at its new place.
-                root.is_tracked = false;
-                return;
-            }
+            TrackEnd::Uncertified | TrackEnd::Diverged => usize::MAX,
         };
         root.tries -= 1;
         if root.tries > 0

@@ -97,7 +97,7 @@ impl Sweep<'_> {
         if is_concave || !enters && bump == 0.0 {
             passed = self.concave(rises);
         }
-        let own = bounds.in_segment(segment);
+        let own = &root.own;
         let mut slope = bump * segment.per_height * bounds.steep + own.slack;
         // Before all segments the ray may still meet a ring outside of the wall of the end.
         let before = if enters && passed.is_all && !bounds.lathe.frame.has_jumps {
@@ -119,7 +119,7 @@ impl Sweep<'_> {
         match before {
             Before::Clear { until } => {
                 let certain = greater(slope, self.clear_slope(rises, own.tolerance));
-                Certification::Nearest(Certificate { certain, slope, bump, own, until: until.min(turns) })
+                Certification::Nearest(Certificate { certain, slope, bump, until: until.min(turns) })
             }
             Before::MayMeet(start) => Certification::Another(start),
             Before::Undecided => Certification::Undecided,
@@ -255,7 +255,8 @@ impl Sweep<'_> {
     #[inline(never)]
     pub(super) fn is_nearest_at(&self, u: f32, s: f32, slope: f32, back: f32, q: f32, kappa: f32) -> bool {
         let Segment { f: [_, f1, f2, f3], low, high, .. } = *self.root.segment;
-        let Certificate { slope: certain, bump, ref own, .. } = self.root.certificate;
+        let own = &self.root.own;
+        let Certificate { slope: certain, bump, .. } = self.root.certificate;
         if !((s - self.bounds.start) * slope > own.tolerance) {
             return false;
         }

@@ -6,7 +6,6 @@ use super::ray_row::RayRow;
 use super::sweep::{Direction, Sweep, TrackedRoot};
 use crate::arithmetic::Flat;
 use crate::lathe::Lathe;
-use crate::lathe::segment::Segment;
 
 impl<S: ?Sized> Lathe<S> {
     /// The rays of a picture, or of one row of it, in the lathe's frame.
@@ -37,7 +36,7 @@ impl Lathe {
             part.end - part.start,
         );
         let direction = Direction { rays, numbers, is_reversed: false, len: part.end - bounds.middle };
-        let root = TrackedRoot::none(lathe.segments.first().unwrap_or(&Segment::EMPTY));
+        let root = TrackedRoot::none();
         Sweep { bounds, direction, root, flat: Flat::default() }
     }
 }

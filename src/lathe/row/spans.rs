@@ -4,6 +4,7 @@ use super::certify::Certification;
 use super::skip::Probe;
 use super::sweep::{NEWTON_STEPS, RETRY, Span, Start, Sweep, TrackEnd};
 use crate::hit::{Hit, Part};
+use core::ptr;
 
 impl Sweep<'_> {
     /// The span that begins with the i-th pixel; i must be less than [`Sweep::len`]. A tracked root is tried
@@ -106,7 +107,10 @@ impl Sweep<'_> {
         if root.tries > 0
             && let Some(segment) = segments.get(index)
         {
-            (root.index, root.segment) = (index, segment);
+            root.index = index;
+            if !ptr::eq(root.segment, segment) {
+                (root.segment, root.own) = (segment, self.bounds.in_segment(segment));
+            }
             match self.certify(i) {
                 Certification::Nearest(certificate) => {
                     self.root.certificate = certificate;

@@ -98,6 +98,8 @@ pub(super) struct TrackedRoot<'a> {
     /// `index` is right, until [`Sweep::next`] has looked the segment up.
     pub index: usize,
     pub segment: &'a Segment,
+    /// The bounds of that segment.
+    pub own: SegmentBounds,
     /// Why it is the nearest.
     pub certificate: Certificate,
     /// Why tracking ended, until [`Sweep::next`] has seen to it.
@@ -145,8 +147,6 @@ pub(super) struct Certificate {
     /// g alone proves that g keeps its sign in that segment. NaN if that test does not apply, because the
     /// certificate is how fast the ray approaches the axis.
     pub bump: f32,
-    /// The bounds of the root's own segment.
-    pub own: SegmentBounds,
     /// The first pixel for which the certificate does not hold.
     pub until: u32,
 }
@@ -163,19 +163,20 @@ pub(super) struct Start {
 }
 
 impl<'a> TrackedRoot<'a> {
-    /// No root is tracked. `segment` may be any segment of the lathe.
-    pub fn none(segment: &'a Segment) -> Self {
+    /// No root is tracked.
+    pub fn none() -> Self {
         Self {
             is_tracked: false,
             sign: 1.0,
             motion: [0; 3],
             index: 0,
-            segment,
+            // No segment of a lathe, so that the bounds of the first one will be computed.
+            segment: &Segment::EMPTY,
+            own: SegmentBounds { tolerance: 0.0, slack: 0.0, newton_tolerance: 0.0 },
             certificate: Certificate {
                 certain: f32::INFINITY,
                 slope: f32::INFINITY,
                 bump: 0.0,
-                own: SegmentBounds { tolerance: 0.0, slack: 0.0, newton_tolerance: 0.0 },
                 until: u32::MAX,
             },
             end: None,

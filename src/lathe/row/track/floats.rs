@@ -31,7 +31,7 @@ impl Numbers {
         let (m1, d1) = (point(rays.origin_change(), 0.0), toward(rays.direction_change()));
         let [c0, c1, c2, c3] = segment.f;
         let certain = root.certificate.certain;
-        let newton_tolerance = root.certificate.own.newton_tolerance;
+        let newton_tolerance = root.own.newton_tolerance;
         // A root is undecided if its height is within the tolerance of an end or of a step. A root where the
         // ray leaves the solid is also undecided within the slip of any other knot: at a sharp waist,
         // rounding decides whether the ray leaves there.

@@ -123,7 +123,7 @@ impl Numbers {
         // The slope is off by 8 units at most: the derivative of f by 5, of which a product with dz leaves
         // half, four products by one each, and the two bounds by half a unit.
         let [certain, slack] =
-            [certificate.certain, certificate.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
+            [certificate.certain, root.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
         let least = slack.max(1 << 12);
         // σ without its last `spare` bits has 13 or more, and its inverse in units of 2^(−32 − spare) at most
         // 2²⁰. A Newton step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by
@@ -141,7 +141,7 @@ impl Numbers {
         let most = (wall.steepest() >> 1 >> f_right) + (1 << (29 - block) >> xy_right);
         let most_bits = 8 + (most >> spare).leading_zeros().min(10) as i32;
         let near = |slope: i32| {
-            let bits = numbers.s + ((exponent(certificate.own.newton_tolerance) + slope - 3) >> 1);
+            let bits = numbers.s + ((exponent(root.own.newton_tolerance) + slope - 3) >> 1);
             if bits < 0 { 0 } else { 1 << bits.min(most_bits) }
         };
         let usual_slope = 29 - numbers.d;

@@ -19,8 +19,10 @@
 pub(crate) mod floats;
 #[allow(dead_code, unused_imports)]
 pub(crate) mod integers;
+mod limits;
 mod share;
 
+pub(crate) use limits::RowLimits;
 pub(crate) use share::Share;
 
 // Names that are imported one by one, as those of the integers are, come before those of a `*`.

@@ -1,6 +1,6 @@
 //! Pixels in f32, for machines with an FPU.
 
-use super::{Share, integers};
+use super::{RowLimits, Share, integers};
 use crate::math::minmax::greater;
 use crate::math::rsqrt_of_double;
 use crate::vector::{F32x3, Vector, difference, dot, scale, vector};
@@ -32,7 +32,13 @@ impl Numbers {
 
     /// Keeps none of these: the rays serve as they are given.
     #[inline(always)]
-    pub fn rays(self, _ray: (F32x3, F32x3), _change: (F32x3, F32x3), _pixels: u32) -> Rays {
+    pub fn rays(
+        self,
+        _ray: (F32x3, F32x3),
+        _change: (F32x3, F32x3),
+        _pixels: u32,
+        _limits: &RowLimits,
+    ) -> Rays {
         Rays
     }
 

@@ -7,6 +7,7 @@
 mod divisor;
 mod fixed;
 mod inverse_root;
+mod limits;
 mod rays;
 mod seen;
 mod wall;
@@ -14,6 +15,7 @@ mod wall;
 pub(crate) use divisor::{Divisor, narrowed, square_root};
 pub(crate) use fixed::{dot, exponent, fixed, fixed_vector, high, power_of_two, shifted, wide, wide_square};
 pub(crate) use inverse_root::{inverse_root, square};
+pub(crate) use limits::Limits;
 pub(crate) use rays::Rays;
 pub(crate) use seen::{Cosine, Direction, Gloss, Pair, Seen, ToLight, Views};
 pub(crate) use wall::Wall;

@@ -1,6 +1,8 @@
 //! The rays of a row in integers.
 
+use super::limits::Limits;
 use super::{Numbers, fixed_vector};
+use crate::arithmetic::RowLimits;
 use crate::vector::F32x3;
 
 /// The rays of a row of pixels: the i-th has the origin `origin + i·origin_change` and the direction
@@ -19,13 +21,14 @@ pub(crate) struct Rays {
     /// changes by at most twice the bound of M over the number of pixels, the direction by at most twice the
     /// bound of |D| over it: so no change exceeds 2³¹ units.
     pub finer: i32,
+    pub limits: Limits,
 }
 
 impl Numbers {
     /// The rays of a part of a row, which has `pixels` pixels. `ray` is M and D of ray 0, `change` by how
-    /// much the two change from pixel to pixel.
+    /// much the two change from pixel to pixel, `limits` what is known of all of them.
     // Not `inline(always)`: in a build for size, flash should contain it only once.
-    pub fn rays(self, ray: (F32x3, F32x3), change: (F32x3, F32x3), pixels: u32) -> Rays {
+    pub fn rays(self, ray: (F32x3, F32x3), change: (F32x3, F32x3), pixels: u32, limits: &RowLimits) -> Rays {
         let finer = (u32::BITS - pixels.leading_zeros()) as i32;
         Rays {
             origin: fixed_vector(ray.0, self.w),
@@ -33,6 +36,7 @@ impl Numbers {
             direction: fixed_vector(ray.1, self.d),
             direction_change: fixed_vector(change.1, self.d + finer - 3),
             finer,
+            limits: self.limits(limits),
         }
     }
 }

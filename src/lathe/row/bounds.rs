@@ -1,9 +1,9 @@
 //! What is known of all rays of a part of a row: where they pass the solid, by how much they differ, and at
 //! which pixel to begin.
 
-use super::grid::{RayGrid, TOLERANCE, WIDENED};
+use super::grid::{RayGrid, SPANS, TOLERANCE, WIDENED};
 use super::ray_row::RayRow;
-use crate::arithmetic::Numbers;
+use crate::arithmetic::{Numbers, RowLimits};
 use crate::lathe::frame::View;
 use crate::lathe::segment::Segment;
 use crate::math::const_fn::upper_root;
@@ -207,6 +207,14 @@ impl<'a> RowBounds<'a> {
 }
 
 impl RowBounds<'_> {
+    /// What an arithmetic converts once for the row.
+    #[inline(always)]
+    pub fn limits(&self) -> RowLimits {
+        let Self { start, low, high, drift, slip, tolerance, knot_tolerance, .. } = *self;
+        let span = (1.0 + SPANS) * self.span;
+        RowLimits { span, start, low, high, drift, slip, tolerance, knot_tolerance }
+    }
+
     /// The half-width of the undecided band in g, in a segment. It is larger where the profile is steep, by
     /// as much as the rounding of a height changes F.
     #[inline(always)]

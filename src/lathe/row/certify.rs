@@ -164,6 +164,14 @@ impl Sweep<'_> {
         if let Some(is_rising) = self.bounds.rising {
             return (is_rising, u32::MAX);
         }
+        self.turn(i)
+    }
+
+    /// Does what [`Sweep::rises_until`] does, where rays of both kinds may be.
+    // Not inline: part of it would be computed for all spans of a row.
+    #[cold]
+    #[inline(never)]
+    fn turn(&self, i: u32) -> (bool, u32) {
         let rays = &self.direction.rays;
         let change = rays.direction_change().z;
         let dz = rays.direction.z + change * (i as f32 + 0.5);

@@ -34,6 +34,7 @@ impl Lathe {
             (origin, direction),
             (rays.origin_change(), rays.direction_change()),
             part.end - part.start,
+            &bounds.limits(),
         );
         let direction = Direction { rays, numbers, is_reversed: false, len: part.end - bounds.middle };
         let root = TrackedRoot::none();

@@ -15,9 +15,8 @@ mod motion;
 
 use super::{Above, Probing};
 use crate::arithmetic::integers::{
-    Divisor, Numbers, Rays, dot, exponent, fixed, high, power_of_two, shifted, wide,
+    Divisor, Limits, Numbers, Rays, dot, exponent, fixed, high, power_of_two, shifted, wide,
 };
-use crate::lathe::row::grid::SPANS;
 use crate::lathe::row::sweep::{Start, Sweep};
 use crate::lathe::segment::Segment;
 use cubic::Cubic;
@@ -30,8 +29,6 @@ pub(in crate::lathe::row) struct Path<'a> {
     per_dz: Divisor,
     /// The s of the point nearest to the axis.
     nearest: i32,
-    /// [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
-    start: i32,
     /// How many bits s has behind the point.
     bits: i32,
 }
@@ -55,6 +52,12 @@ impl Path<'_> {
         [x + high(s, dx), y + high(s, dy), z + high(s, dz)]
     }
 
+    /// The s at which the ray passes a height. For a horizontal ray it is the farthest s that there is, or zero
+    /// if the ray lies at that height.
+    fn at_height(&self, z: i32) -> i32 {
+        self.per_dz.of((z - self.m[2]).into(), 32)
+    }
+
     /// The squared distance from the axis at s.
     #[inline(never)]
     fn square(&self, s: i32) -> i64 {
@@ -66,7 +69,7 @@ impl Path<'_> {
 impl Numbers {
     /// The i-th ray.
     #[inline(always)]
-    pub(in crate::lathe::row) fn path<'a>(self, sweep: &Sweep, rays: &'a Rays, i: u32) -> Path<'a> {
+    pub(in crate::lathe::row) fn path<'a>(self, _sweep: &Sweep, rays: &'a Rays, i: u32) -> Path<'a> {
         let (m, d) = rays.at(i);
         let ([x, y, _], [dx, dy, dz]) = (m, d);
         let bits = self.w + 32 - self.d;
@@ -74,21 +77,13 @@ impl Numbers {
         let toward = dot([x, y], [dx, dy]);
         let q = dot([dx, dy], [dx, dy]);
         let nearest = Divisor::new(q).of(-toward, 32);
-        Path {
-            rays,
-            m,
-            d,
-            per_dz: Divisor::new(dz.into()),
-            nearest,
-            start: fixed(sweep.bounds.start, bits),
-            bits,
-        }
+        Path { rays, m, d, per_dz: Divisor::new(dz.into()), nearest, bits }
     }
 
     /// Where the rays begin: [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
     #[inline(always)]
     pub(in crate::lathe::row) fn start(self, _sweep: &Sweep, path: &Path) -> i32 {
-        path.start
+        path.rays.limits.start
     }
 
     /// Whether a ray is so level, and so near to the plane of an end or of a step, that both differ by less
@@ -117,19 +112,17 @@ impl Numbers {
 
     /// [`Sweep::interval`].
     #[inline(always)]
-    pub(in crate::lathe::row) fn interval(self, sweep: &Sweep, path: &Path) -> (i32, i32) {
-        let bounds = &sweep.bounds;
-        let span = fixed((1.0 + SPANS) * bounds.span, path.bits);
-        let (low, high) = (self.plane(path, bounds.low), self.plane(path, bounds.high));
+    pub(in crate::lathe::row) fn interval(self, _sweep: &Sweep, path: &Path) -> (i32, i32) {
+        let Limits { span, start, low, high, .. } = path.rays.limits;
+        let (low, high) = (path.at_height(low), path.at_height(high));
         let (near, far) = if path.rises() { (low, high) } else { (high, low) };
-        (near.max(-span).max(path.start), far.min(span))
+        (near.max(-span).max(start), far.min(span))
     }
 
-    /// The s at which a ray passes a height. For a horizontal ray it is the farthest s that there is, or zero
-    /// if the ray lies at that height.
+    /// The s at which a ray passes a height.
     #[inline(never)]
     pub(in crate::lathe::row) fn plane(self, path: &Path, z: f32) -> i32 {
-        path.per_dz.of((fixed(z, self.w) - path.m[2]).into(), 32)
+        path.at_height(fixed(z, self.w))
     }
 
     /// An interval cut off where the ray comes into the slab of a segment. If `holds_end`, it contains that
@@ -144,7 +137,7 @@ impl Numbers {
         holds_end: bool,
     ) -> ((i32, i32), f32) {
         let plane = self.plane(path, if path.rises() { segment.low } else { segment.high });
-        let far = far.min(plane).max(path.start);
+        let far = far.min(plane).max(path.rays.limits.start);
         ((if holds_end { near.min(far) } else { near }, far), self.float(path, far))
     }
 
@@ -209,12 +202,12 @@ impl Numbers {
             return Ok(i64::MAX);
         }
         let of_square = |square: f32| wide(square, 2 * self.w);
-        let tolerance = of_square(bounds.tolerance);
-        let is_negative = sign < 0.0;
+        let Limits { start: begin, wide_tolerance: tolerance, wide_slip: slip, .. } = path.rays.limits;
+        let is_negative = sign.is_sign_negative();
         let rises = path.rises();
         let (onward, entry) = if rises { (1, 0) } else { (usize::MAX, frame.len) };
         if frame.has_rings {
-            let entry = if near > path.start { entry } else { usize::MAX };
+            let entry = if near > begin { entry } else { usize::MAX };
             for (s, number, is_behind) in [(near, entry, false), (far, last, true)] {
                 if let Some(plane) = lathe.plane(number) {
                     let square = if is_behind == rises { plane.above } else { plane.below };
@@ -234,7 +227,7 @@ impl Numbers {
             let closest = path.nearest.max(from).min(to);
             let mut most_here = of_square(segment.bounding_square) - path.square(closest) + tolerance;
             if is_negative || is_above || most_here >= 0 {
-                let tolerance = tolerance + shifted(of_square(bounds.slip), exponent(segment.max_slope));
+                let tolerance = tolerance + shifted(slip, exponent(segment.max_slope));
                 let g = self.g_between(path, segment, (from, to), is_negative);
                 most_here = g.most() + tolerance;
                 if most_here >= 0 {

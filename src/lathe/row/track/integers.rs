@@ -27,7 +27,9 @@
 mod gradient;
 mod shift;
 
-use crate::arithmetic::integers::{Length, Numbers, Rays, Seen, exponent, fixed, high, power_of_two, wide};
+use crate::arithmetic::integers::{
+    Length, Limits, Numbers, Rays, Seen, exponent, fixed, high, power_of_two, wide,
+};
 use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::math::cold_path;
 use crate::vector::{dot_xy, vector};
@@ -152,8 +154,7 @@ impl Numbers {
         // where the ray leaves the solid is also undecided within the slip of any other knot. So is one where
         // the ray enters it, if g does not exceed the tolerance at the knot behind the root: a crease that is
         // seen edge on may be a silhouette. Up to that knot g rises by the slope times the way.
-        let slip = fixed(bounds.slip, numbers.p);
-        let [pad, knot_pad] = [bounds.tolerance, bounds.knot_tolerance].map(|pad| fixed(pad, numbers.p));
+        let Limits { slip, tolerance: pad, knot_tolerance: knot_pad, .. } = rays.limits;
         let pads = [
             if root.index == 0 { pad } else { knot_pad },
             if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad },

@@ -2,7 +2,7 @@
 
 use super::Path;
 use super::cubic::Cubic;
-use crate::arithmetic::integers::{Divisor, Numbers, dot, fixed, high, narrowed, shifted, square_root};
+use crate::arithmetic::integers::{Divisor, Numbers, dot, high, narrowed, shifted, square_root};
 use crate::lathe::row::skip::FALL;
 use crate::lathe::row::sweep::Sweep;
 
@@ -16,7 +16,7 @@ impl Numbers {
     #[inline(never)]
     pub(in crate::lathe::row) fn certified_run(
         self,
-        sweep: &Sweep,
+        _sweep: &Sweep,
         _i: u32,
         path: &Path,
         sign: f32,
@@ -34,7 +34,7 @@ impl Numbers {
             // `most`, and a span is less than 2²⁷ units.
             let change = rays.direction_change[2];
             fall = if path.rises() { -change } else { change };
-            let drift = i64::from(fixed(sweep.bounds.drift, self.d));
+            let drift = i64::from(rays.limits.drift);
             let level = drift.max(shifted(i64::from(fall) * (1.0 / FALL) as i64, 3 - rays.finer)) + 1;
             most = Divisor::new(level).of(dz.unsigned_abs().into(), 0);
             if most == 0 {
@@ -61,7 +61,7 @@ impl Numbers {
         let w = at_height([dx1, dy1, dz1].map(|d| high(half, d)));
         // The most of −sign·⟨P, v⟩, half the first term of the change, and of −sign·v², the second.
         let largest = |c: [i64; 3]| {
-            let [c0, c1, c2] = if sign < 0.0 { c } else { c.map(|c| -c) };
+            let [c0, c1, c2] = if sign.is_sign_negative() { c } else { c.map(|c| -c) };
             Cubic::new([c0, c1, c2, 0]).most()
         };
         let pace = largest([dot(p, v), dot(p, w) + dot(h, v), dot(h, w)]);

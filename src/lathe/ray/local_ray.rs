@@ -90,7 +90,7 @@ impl LocalRay {
     }
 
     /// The squared distance from the axis at t, and half its derivative, `x·dx + y·dy`.
-    #[inline(never)]
+    #[inline]
     pub fn around(&self, t: f32) -> (f32, f32) {
         let away = t - self.nearest;
         let half_slope = self.q * away;

@@ -235,9 +235,15 @@ impl View<'_> {
     /// binary search: each step is half the one before. Spare segments begin at +∞ and are never returned.
     #[inline]
     pub fn index_at(&self, z: f32) -> usize {
+        self.last_index(|low| low <= z)
+    }
+
+    /// [`View::index_at`] of the height at which or below which all heights are for which `is_below` is true.
+    #[inline(always)]
+    pub fn last_index(&self, is_below: impl Fn(f32) -> bool) -> usize {
         let (mut index, mut stride) = (0, self.frame.stride);
         loop {
-            if self.segments.get(index + stride).is_some_and(|segment| segment.low <= z) {
+            if self.segments.get(index + stride).is_some_and(|segment| is_below(segment.low)) {
                 index += stride;
             }
             stride /= 2;

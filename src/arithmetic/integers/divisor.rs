@@ -5,8 +5,8 @@ use super::inverse_root;
 /// A number to divide by, held as its inverse. Zero counts as 1.
 #[derive(Clone, Copy)]
 pub(crate) struct Divisor {
-    /// 2⁶³ over the upper word of the divisor's magnitude, after a shift by `left` that makes its highest bit
-    /// bit 63. So that word is from 2³¹ to 2³², and this number, too.
+    /// 2⁶³ over the divisor's magnitude after a shift by `left`, which makes its highest bit bit 31. So that
+    /// magnitude is from 2³¹ to 2³², and this number, too.
     inverse: u32,
     left: i32,
     is_negative: bool,
@@ -20,10 +20,10 @@ impl Divisor {
     /// error is 2⁻²⁸ at most: that of the division is 2⁻¹⁴·⁴, since it has half of the divisor's bits, and a
     /// Newton step squares it.
     #[inline(never)]
-    pub fn new(divisor: i64) -> Self {
+    pub fn new(divisor: i32) -> Self {
         let magnitude = divisor.unsigned_abs().max(1);
         let left = magnitude.leading_zeros();
-        let high = ((magnitude << left) >> 32) as u32;
+        let high = magnitude << left;
         // Its highest bit is set already: that the compiler sees it spares a test for zero, which would
         // panic.
         let guess = (u32::MAX / (high >> 16 | 1 << 15)) << 15;
@@ -32,21 +32,41 @@ impl Divisor {
         Self { inverse: inverse as u32, left: left as i32, is_negative: divisor < 0 }
     }
 
+    /// The same for a wide divisor.
+    pub fn wide(divisor: i64) -> Self {
+        let (divisor, right) = upper(divisor);
+        let narrow = Self::new(divisor);
+        Self { left: narrow.left - right, ..narrow }
+    }
+
     /// A number over the divisor, in units of 2^−`bits`, at most [`MOST_QUOTIENT`] in magnitude. The error is
     /// at most 2⁻²⁷ of the quotient, and a unit.
     #[inline(never)]
-    pub fn of(&self, number: i64, bits: i32) -> i32 {
+    pub fn of(&self, number: i32, bits: i32) -> i32 {
         let magnitude = number.unsigned_abs();
         if magnitude == 0 {
             return 0;
         }
         let left = magnitude.leading_zeros();
-        let high = ((magnitude << left) >> 33) as u32;
+        let high = (magnitude << left) >> 1;
         let quotient = ((u64::from(high) * u64::from(self.inverse)) >> 32) as i32;
         let right = 30 + left as i32 - self.left - bits;
         let quotient = if right < 0 { MOST_QUOTIENT } else { (quotient >> right.min(31)).min(MOST_QUOTIENT) };
         if (number < 0) != self.is_negative { -quotient } else { quotient }
     }
+
+    /// The same for a wide number.
+    pub fn of_wide(&self, number: i64, bits: i32) -> i32 {
+        let (number, right) = upper(number);
+        self.of(number, bits + right)
+    }
+}
+
+/// A number without its last bits, so that it has 31 or less and a sign; and how many bits these are.
+#[inline(never)]
+fn upper(number: i64) -> (i32, i32) {
+    let right = 33_u32.saturating_sub(number.unsigned_abs().leading_zeros());
+    ((number >> right) as i32, right as i32)
 }
 
 /// The root of a number below 2⁶⁰; zero for a negative number. The error is at most 2⁻²³ of the root, and a
@@ -63,13 +83,19 @@ pub(crate) fn square_root(square: i64) -> i32 {
     root >> (left / 2 - 1)
 }
 
-/// Shifts four numbers to the right, all by the same number of bits, so that none exceeds 2²⁸ in magnitude.
-/// Returns them, rounded down, and the number of bits.
+/// Shifts four numbers to the right, all by the same number of bits, four at least, so that none exceeds 2²⁸ in
+/// magnitude. Returns them, rounded down, and the number of bits.
 #[inline(never)]
 pub(crate) fn narrowed(numbers: [i64; 4]) -> ([i32; 4], u32) {
-    let most = numbers.iter().fold(0, |most, number| most | number.unsigned_abs());
-    let right = 36_u32.saturating_sub(most.leading_zeros());
-    (numbers.map(|number| (number >> right) as i32), right)
+    // Of upper words alone: the compiler takes many instructions for a shift of 64 bits by any number of them.
+    let most =
+        numbers.iter().map(|number| (number >> 32) as i32).fold(0, |most, high| most | high ^ (high >> 31));
+    let left = (most.leading_zeros() - 1).min(31);
+    let narrow = |number: i64| {
+        let (high, low) = ((number >> 32) as u32, number as u32);
+        (high << left | low >> 1 >> (31 - left)) as i32 >> 3
+    };
+    (numbers.map(narrow), 35 - left)
 }
 
 #[cfg(test)]
@@ -92,7 +118,7 @@ mod tests {
             let bits = 40
                 - ((a.unsigned_abs().leading_zeros() as i32) - b.unsigned_abs().leading_zeros() as i32).abs();
             let exact = a as f64 / b as f64 * f64::exp2(f64::from(bits));
-            let found = f64::from(Divisor::new(b).of(a, bits));
+            let found = f64::from(Divisor::wide(b).of_wide(a, bits));
             if exact.abs() >= f64::from(MOST_QUOTIENT) {
                 assert!(
                     found.abs() > 0.999_999 * f64::from(MOST_QUOTIENT) && found.signum() == exact.signum()

@@ -84,7 +84,7 @@ impl Sweep<'_> {
     /// nearest. A certificate says for how many of the next rays it holds. This changes no field.
     pub(super) fn certify(&self, i: u32) -> Certification {
         let (bounds, root) = (&self.bounds, &self.root);
-        let (segment, enters) = (root.segment, root.sign > 0.0);
+        let (segment, enters) = (root.segment, root.sign.is_sign_positive());
         let is_concave = segment.convexity <= bounds.max_convexity;
         let [_, _, _, f3] = segment.f;
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
@@ -98,7 +98,10 @@ impl Sweep<'_> {
             passed = self.concave(rises);
         }
         let own = &root.own;
-        let mut slope = bump * segment.per_height * bounds.steep + own.slack;
+        let mut slope = own.slack;
+        if bump > 0.0 {
+            slope += bump * segment.per_height * bounds.steep;
+        }
         // Before all segments the ray may still meet a ring outside of the wall of the end.
         let before = if enters && passed.is_all && !bounds.lathe.frame.has_jumps {
             Before::Clear { until: u32::MAX }
@@ -215,13 +218,13 @@ impl Sweep<'_> {
         let interval = self.interval(path);
         // A ray that leaves the solid at the root it sees begins inside, or has come in through an open end:
         // at a cap it would have entered.
-        if sign < 0.0 && interval.0 > bounds.numbers.start(self, path) && !(end.beyond > 0.0) {
+        if sign.is_sign_negative() && interval.0 > bounds.numbers.start(self, path) && !(end.beyond > 0.0) {
             return Before::Undecided;
         }
         // The proofs for the root's own segment need the sign of g where the ray comes into it, unless the
         // slope suffices. So g is bounded at that point in any case, even if that point lies before `near`.
-        let by_slope = sign > 0.0 && root.segment.convexity <= bounds.max_convexity;
-        let (before, far) = bounds.numbers.before(self, path, interval, passed.first, !by_slope);
+        let by_slope = sign.is_sign_positive() && root.segment.convexity <= bounds.max_convexity;
+        let before = bounds.numbers.before(self, path, interval, passed.first, !by_slope);
         let plane = passed.index + usize::from(!path.rises());
         let start = match self.below_zero(i, path, sign, before, plane) {
             Ok(until) => return Before::Clear { until },
@@ -232,8 +235,11 @@ impl Sweep<'_> {
         // start is known, g has the wrong sign already where the ray comes into the root's segment, just past
         // a rim. Then another root may lie shortly behind that point, in the same segment, where g crosses
         // zero the other way than at the tracked root.
-        let Start { index, s, sign: crosses } =
-            start.unwrap_or(Start { index: root.index, s: far, sign: -1.0 });
+        let Start { index, s, sign: crosses } = start.unwrap_or_else(|| Start {
+            index: root.index,
+            s: bounds.numbers.length(path, before.1),
+            sign: -1.0,
+        });
         Before::MayMeet(Start { index, s, sign: sign * crosses })
     }
 

@@ -42,7 +42,7 @@ impl Numbers {
         if toward < flat.least.max(1) {
             return None;
         }
-        let s = Divisor::new(dz.into()).of((flat.z - z).into(), 32);
+        let s = Divisor::new(dz).of(flat.z - z, 32);
         let p = [x + high(s, dx), y + high(s, dy)];
         let square = dot(p, p);
         let from_rims = (square - flat.inner).min(flat.outer - square);

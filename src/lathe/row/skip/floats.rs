@@ -74,7 +74,7 @@ impl Numbers {
     }
 
     /// An interval cut off where the ray comes into the slab of a segment. If `holds_end`, it contains that
-    /// point even if it lies before the interval's begin. The second value is the point's s.
+    /// point even if it lies before the interval's begin.
     #[inline(always)]
     pub(in crate::lathe::row) fn before(
         self,
@@ -83,10 +83,16 @@ impl Numbers {
         (near, far): (f32, f32),
         segment: &Segment,
         holds_end: bool,
-    ) -> ((f32, f32), f32) {
+    ) -> (f32, f32) {
         let far = lesser(far, path.slab(segment.low, segment.high).0);
         let far = greater(sweep.bounds.start, far);
-        ((if holds_end { lesser(near, far) } else { near }, far), far)
+        (if holds_end { lesser(near, far) } else { near }, far)
+    }
+
+    /// An s as a float.
+    #[inline(always)]
+    pub(in crate::lathe::row) fn length(self, _path: &LocalRay, s: f32) -> f32 {
+        s
     }
 
     /// By how much sign·g plus its tolerance stays below zero on an interval of a ray, at least; +∞ if the

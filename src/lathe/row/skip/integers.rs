@@ -55,7 +55,7 @@ impl Path<'_> {
     /// The s at which the ray passes a height. For a horizontal ray it is the farthest s that there is, or zero
     /// if the ray lies at that height.
     fn at_height(&self, z: i32) -> i32 {
-        self.per_dz.of((z - self.m[2]).into(), 32)
+        self.per_dz.of(z - self.m[2], 32)
     }
 
     /// The squared distance from the axis at s.
@@ -76,8 +76,8 @@ impl Numbers {
         // −⟨M, D⟩/⟨D, D⟩.
         let toward = dot([x, y], [dx, dy]);
         let q = dot([dx, dy], [dx, dy]);
-        let nearest = Divisor::new(q).of(-toward, 32);
-        Path { rays, m, d, per_dz: Divisor::new(dz.into()), nearest, bits }
+        let nearest = Divisor::wide(q).of_wide(-toward, 32);
+        Path { rays, m, d, per_dz: Divisor::new(dz), nearest, bits }
     }
 
     /// Where the rays begin: [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
@@ -126,7 +126,7 @@ impl Numbers {
     }
 
     /// An interval cut off where the ray comes into the slab of a segment. If `holds_end`, it contains that
-    /// point even if it lies before the interval's begin. The second value is the point's s.
+    /// point even if it lies before the interval's begin.
     #[inline(always)]
     pub(in crate::lathe::row) fn before(
         self,
@@ -135,14 +135,14 @@ impl Numbers {
         (near, far): (i32, i32),
         segment: &Segment,
         holds_end: bool,
-    ) -> ((i32, i32), f32) {
+    ) -> (i32, i32) {
         let plane = self.plane(path, if path.rises() { segment.low } else { segment.high });
         let far = far.min(plane).max(path.rays.limits.start);
-        ((if holds_end { near.min(far) } else { near }, far), self.float(path, far))
+        (if holds_end { near.min(far) } else { near }, far)
     }
 
     /// An s as a float.
-    fn float(self, path: &Path, s: i32) -> f32 {
+    pub(in crate::lathe::row) fn length(self, path: &Path, s: i32) -> f32 {
         s as f32 * power_of_two(-path.bits)
     }
 
@@ -217,7 +217,7 @@ impl Numbers {
             }
         }
         let [.., z] = path.at(near);
-        let mut index = lathe.index_at(z as f32 * power_of_two(-self.w));
+        let mut index = lathe.last_index(|low| fixed(low, self.w) <= z);
         let mut from = near;
         // Whether sign·g is above zero where the next segment begins, as it is at the end of the one before.
         let mut is_above = false;
@@ -254,7 +254,7 @@ impl Numbers {
             from = to;
             index = index.wrapping_add(onward);
         }
-        let start = start.map(|(index, s, sign)| Start { index, s: self.float(path, s), sign });
+        let start = start.map(|(index, s, sign)| Start { index, s: self.length(path, s), sign });
         if most < 0 { Ok(-most) } else { Err(Above { is_near: most < near_zero, start }) }
     }
 }

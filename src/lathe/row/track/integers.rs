@@ -136,15 +136,16 @@ impl Numbers {
         let zoom = left.max(1);
         let back_right = (zoom - left) as u32;
         let most_zoomed = 1 << (31 - zoom);
-        // The last Newton step, of length b, has b² ≤ newton_tolerance·A/4: it leaves ROOT/4. A is at least
-        // |D|/4 at most roots; where it is less, the least A counts. And b is at most 2¹⁸ units, less where
-        // the inverse of the largest σ is not within 2⁻¹⁰ of itself: that leaves 2⁸ units. That σ is the
-        // derivative's times |dz|, and r·|D|, where r is less than 2.
+        // The last Newton step, of length b, has b² ≤ newton_tolerance·A/2: it leaves ROOT/2. A is at least
+        // |D|/4 at most roots; where it is less, the least A counts. And b times the relative error of σ's
+        // inverse is at most 2⁻²⁰, which is another ROOT/2. That error is 2⁻¹⁰, or more where σ may be large:
+        // it is the derivative's times |dz|, and r·|D|, where r is less than 2.
         let most = (wall.steepest() >> 1 >> f_right) + (1 << (29 - block) >> xy_right);
-        let most_bits = 8 + (most >> spare).leading_zeros().min(10) as i32;
+        let most_bits = (numbers.s - 20 + (most >> spare).leading_zeros().min(10) as i32).max(0);
         let near = |slope: i32| {
-            let bits = numbers.s + ((exponent(root.own.newton_tolerance) + slope - 3) >> 1);
-            if bits < 0 { 0 } else { 1 << bits.min(most_bits) }
+            // The square of the result is 2^twice at most, and 11/8 is less than √2.
+            let twice = 2 * numbers.s + exponent(root.own.newton_tolerance) + slope - 2;
+            if twice < 0 { 0 } else { (8 + 3 * (twice & 1)) << (twice >> 1).min(most_bits) >> 3 }
         };
         let usual_slope = 29 - numbers.d;
         let usual = certain.max(1 << (slope_bits + usual_slope).max(0));

@@ -35,11 +35,10 @@ impl Cubic {
         let mut most = a0 + a2 + (a1 + a3).abs();
         // Otherwise the slope has no zero between −1 and 1, and the largest value is at an end.
         if a1.abs() < 2 * a2.abs() + 3 * a3.abs() {
-            let [b1, b2, b3] = [a1, a2, a3].map(i64::from);
-            let discriminant = b2 * b2 - 3 * b3 * b1;
+            let discriminant = i64::from(a2) * i64::from(a2) - i64::from(3 * a3) * i64::from(a1);
             // Of the slope's two zeros the one where it falls, in the form that does not cancel.
-            let root = i64::from(square_root(discriminant));
-            let (number, divisor) = if a2 > 0 { (-(b2 + root), 3 * b3) } else { (b1, root - b2) };
+            let root = square_root(discriminant);
+            let (number, divisor) = if a2 > 0 { (-(a2 + root), 3 * a3) } else { (a1, root - a2) };
             let top = Divisor::new(divisor).of(number, 30);
             if discriminant > 0 && top.abs() < 1 << 30 {
                 most = most.max(self.with_slope(top).0);
@@ -67,7 +66,7 @@ impl Cubic {
         let mut t = -way << 30;
         for _ in 0..NEWTON_STEPS {
             let (value, slope) = self.with_slope(t);
-            let step = Divisor::new(slope.into()).of(value.into(), 30);
+            let step = Divisor::new(slope).of(value, 30);
             t = t.saturating_sub(step).clamp(-1 << 30, 1 << 30);
             if step.abs() < 1 << 16 {
                 break;

@@ -36,7 +36,7 @@ impl Numbers {
             fall = if path.rises() { -change } else { change };
             let drift = i64::from(rays.limits.drift);
             let level = drift.max(shifted(i64::from(fall) * (1.0 / FALL) as i64, 3 - rays.finer)) + 1;
-            most = Divisor::new(level).of(dz.unsigned_abs().into(), 0);
+            most = Divisor::wide(level).of(dz.abs(), 0);
             if most == 0 {
                 return 0;
             }
@@ -52,7 +52,7 @@ impl Numbers {
         // The motion of the ray's point at fixed s, less what takes the point back to its height along the
         // ray, at the middle and by how much it changes to the interval's end.
         let at_height = |[x, y, z]: [i32; 3]| {
-            let along = if is_level { 0 } else { path.per_dz.of(z.into(), 32) };
+            let along = if is_level { 0 } else { path.per_dz.of(z, 32) };
             [x - high(along, dx), y - high(along, dy)]
         };
         let [px, py, _] = path.at(middle);
@@ -69,7 +69,7 @@ impl Numbers {
         let mut run = run(margin, pace, square, fine).min(most);
         if fall > 0 {
             // n/(1 + n·ε) is no less than n·(1 − n·ε), and n·ε no more than FALL.
-            let part = path.per_dz.of(i64::from(run) * i64::from(fall), 33 - rays.finer).abs();
+            let part = path.per_dz.of_wide(i64::from(run) * i64::from(fall), 33 - rays.finer).abs();
             run -= ((i64::from(run) * i64::from(part)) >> 30) as i32 + 1;
         }
         run.max(0) as u32
@@ -81,9 +81,9 @@ impl Numbers {
 fn run(margin: i64, pace: i64, square: i64, fine: i32) -> i32 {
     let ([margin, pace, square, _], _) = narrowed([margin, pace, square, 0]);
     // Rounded to the safe side.
-    let [margin, pace, square] = [margin - 1, pace + 1, square + 1].map(i64::from);
-    let discriminant = pace * pace + square * margin;
-    let root = i64::from(square_root(discriminant)) + 1;
+    let [margin, pace, square] = [margin - 1, pace + 1, square + 1];
+    let discriminant = i64::from(pace) * i64::from(pace) + i64::from(square) * i64::from(margin);
+    let root = square_root(discriminant) + 1;
     let (number, divisor) = if pace >= 0 { (margin, pace + root) } else { (root - 1 - pace, square) };
     if discriminant < 0 || divisor <= 0 { i32::MAX } else { Divisor::new(divisor).of(number, fine) }
 }

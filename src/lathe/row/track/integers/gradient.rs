@@ -29,7 +29,7 @@ impl Gradient {
         Self {
             xy: Shift::left(28 - block - less - numbers.p),
             z: Shift::left(left - less),
-            squash: if root_squash == 1.0 { 0 } else { fixed(root_squash, 31) },
+            squash: if root_squash.to_bits() == 1.0_f32.to_bits() { 0 } else { fixed(root_squash, 31) },
             is_inside,
         }
     }

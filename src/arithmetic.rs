@@ -38,7 +38,9 @@ pub(crate) use floats::*;
         )
     )
 ))]
-pub(crate) use integers::{Flat, Gloss, KEPT, Length, Numbers, Pair, Rays, Seen, ToLight, Views, Wall};
+pub(crate) use integers::{
+    Flat, Gloss, KEPT, Length, Normal, Numbers, Pair, Rays, Seen, ToLight, Views, Wall,
+};
 
 #[cfg(test)]
 mod tests {

@@ -188,6 +188,18 @@ impl Views {
     }
 }
 
+/// What the loop of a tracked root finds of a visible sample: a vector along the normal, as in [`Seen`]. Its
+/// length is left to where the sample is lit: there other work fills the cycles in which the FPU would wait.
+pub(crate) struct Normal(pub F32x3);
+
+impl Normal {
+    /// The sample that has this normal.
+    #[inline(always)]
+    pub fn seen(&self) -> Seen {
+        Seen::new(self.0)
+    }
+}
+
 impl Seen {
     /// The sample whose normal points along `gradient`. The squared length of `gradient` must be a normal
     /// number: positive, and neither subnormal nor infinite.

@@ -17,7 +17,7 @@ pub(crate) use fixed::{dot, exponent, fixed, fixed_vector, high, power_of_two, s
 pub(crate) use inverse_root::{inverse_root, square};
 pub(crate) use limits::Limits;
 pub(crate) use rays::Rays;
-pub(crate) use seen::{Cosine, Direction, Gloss, Pair, Seen, ToLight, Views};
+pub(crate) use seen::{Cosine, Direction, Gloss, Normal, Pair, Seen, ToLight, Views};
 pub(crate) use wall::Wall;
 
 /// Of how many solids a picture keeps what is the same for all of its rows. That takes 132 bytes for each of

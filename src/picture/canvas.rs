@@ -73,9 +73,9 @@ impl<C: Paint> Canvas<'_, '_, C> {
             (None, true) => Self::shiny_both,
             (None, false) => Self::shiny,
         };
-        let next = sweep.track(i, to, |seen, s| {
+        let next = sweep.track(i, to, |normal, s| {
             if let Some(pixel) = run.get_mut(at) {
-                let brush = &self.brush;
+                let (brush, seen) = (&self.brush, &normal.seen());
                 *pixel = brush.matt(at, seen, brush.to_light());
                 let image = both.wrapping_sub(at);
                 if let Some(pixel) = run.get_mut(image) {
@@ -83,7 +83,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
                 }
             } else {
                 cold_path();
-                let [p, q] = seen.pairs();
+                let [p, q] = normal.seen().pairs();
                 other(self, at, p, q, s.float());
             }
             at = at.wrapping_add(onward);

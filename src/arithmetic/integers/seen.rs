@@ -126,7 +126,16 @@ impl Direction {
     }
 }
 
+/// What the loop of a tracked root finds of a visible sample: all of it.
+pub(crate) type Normal = Seen;
+
 impl Seen {
+    /// The sample itself.
+    #[inline(always)]
+    pub fn seen(&self) -> Self {
+        *self
+    }
+
     /// The sample whose normal points along `gradient`. The squared length of `gradient` must be a normal
     /// number: positive, and neither subnormal nor infinite.
     #[inline(never)]

@@ -9,7 +9,7 @@ mod floats;
 mod integers;
 
 use super::sweep::Sweep;
-use crate::arithmetic::{Length, Numbers, Seen};
+use crate::arithmetic::{Length, Normal, Numbers};
 
 /// How many pixels at most are tracked in one call where distances are compared. In twice as many the
 /// additions of [`Numbers::MOST_PIXELS`] would make twice as large an error of a distance.
@@ -25,11 +25,11 @@ impl Sweep<'_> {
     }
 
     /// Tracks the root from the i-th pixel to before pixel `to`, which is at most [`Sweep::limit`]. Calls
-    /// `see` for each of these pixels, with what it sees and the s of the root. Returns the first pixel for
-    /// which `see` was not called: `to`, or an earlier one if tracking ended there. The reason is noted for
-    /// [`Sweep::next`], which returns the span that begins with that pixel.
+    /// `see` for each of these pixels, with the normal that it sees and the s of the root. Returns the first
+    /// pixel for which `see` was not called: `to`, or an earlier one if tracking ended there. The reason is
+    /// noted for [`Sweep::next`], which returns the span that begins with that pixel.
     #[inline(always)]
-    pub fn track(&mut self, i: u32, to: u32, see: impl FnMut(&Seen, Length)) -> u32 {
+    pub fn track(&mut self, i: u32, to: u32, see: impl FnMut(&Normal, Length)) -> u32 {
         let rays = self.direction.numbers;
         self.bounds.numbers.track(self, &rays, i, to, see)
     }

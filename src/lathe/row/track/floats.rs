@@ -1,6 +1,6 @@
 //! The innermost loop in floats.
 
-use crate::arithmetic::floats::{Length, Numbers, Rays, Seen};
+use crate::arithmetic::floats::{Length, Normal, Numbers, Rays};
 use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::lathe::segment::Segment;
 use crate::math::cold_path;
@@ -16,7 +16,7 @@ impl Numbers {
         _rays: &Rays,
         i: u32,
         to: u32,
-        mut see: impl FnMut(&Seen, Length),
+        mut see: impl FnMut(&Normal, Length),
     ) -> u32 {
         let Sweep { bounds, root, .. } = &*sweep;
         let (segment, sign) = (root.segment, root.sign);
@@ -93,7 +93,7 @@ impl Numbers {
                 let along = wall.along(u);
                 let y = y - back * d.y;
                 ahead = change + bend;
-                see(&Seen::new(vector([across, y, along])), Length(sign * s));
+                see(&Normal(vector([across, y, along])), Length(sign * s));
                 break;
             }
             // s is predicted from its first difference, `change`, and its second one, `bend`.

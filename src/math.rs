@@ -17,7 +17,16 @@ mod cold_path;
 pub(crate) mod const_fn;
 mod libm;
 mod micromath;
+#[cfg_attr(
+    any(
+        all(target_arch = "arm", not(target_abi = "eabihf")),
+        all(target_arch = "riscv32", not(embedded_lathe_riscv_f)),
+    ),
+    path = "math/minmax_by_bits.rs"
+)]
 pub(crate) mod minmax;
+#[cfg(test)]
+mod minmax_by_bits;
 mod native;
 mod root;
 mod rsqrt;

@@ -8,7 +8,7 @@ use super::{Libm, Math};
 /// | hard-float Arm without an operating system | `vsqrt.f32` |
 /// | RISC-V with the extension F | `fsqrt.s` |
 /// | any other with an operating system, feature `std` | the standard library's |
-/// | any other | in integers, bit by bit |
+/// | any other | in integers |
 ///
 /// Whether a RISC-V has F, stable Rust does not show to `cfg`. The crate's build script knows it by the
 /// target's name, such as `riscv32imafc-unknown-none-elf`. For a RISC-V whose name does not say it,

@@ -58,7 +58,7 @@ impl LocalRay {
     /// Whether the ray rises or is horizontal.
     #[inline(always)]
     pub fn rises(&self) -> bool {
-        self.per_dz > 0.0
+        self.per_dz.is_sign_positive()
     }
 
     /// The t at which the ray enters the slab between the heights `low` and `high`, and the t at which it
@@ -90,7 +90,7 @@ impl LocalRay {
     }
 
     /// The squared distance from the axis at t, and half its derivative, `x·dx + y·dy`.
-    #[inline(always)]
+    #[inline]
     pub fn around(&self, t: f32) -> (f32, f32) {
         let away = t - self.nearest;
         let half_slope = self.q * away;

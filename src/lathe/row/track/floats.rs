@@ -51,16 +51,15 @@ impl Numbers {
             let ahead;
             loop {
                 // In this order the compiler leaves few results to wait for, see docs/TRIED.md.
-                let (x, y) = (m.x + s * d.x, m.y + s * d.y);
-                let b = x * d.x + y * d.y;
-                let square = x * x + y * y;
-                let u = m.z + s * d.z;
-                let c3u = c3 * u;
-                let p2 = c3u + c2;
-                let p1 = p2 * u + c1;
-                let f1 = (c3u + p2) * u + p1;
-                let g = (p1 * u + c0) - square;
-                let slope = f1 * d.z - (b + b);
+                let (sx, sy, sz) = (s * d.x, s * d.y, s * d.z);
+                let (x, y, u) = (m.x + sx, m.y + sy, m.z + sz);
+                let (c3u, xd, yd) = (c3 * u, x * d.x, y * d.y);
+                let (p2, b) = (c3u + c2, xd + yd);
+                let (p2u, xx, l, yy) = (p2 * u, x * x, c3u + p2, y * y);
+                let (p1, lu, square) = (p2u + c1, l * u, xx + yy);
+                let (f1, p1u, b2) = (lu + p1, p1 * u, b + b);
+                let (fd, f) = (f1 * d.z, p1u + c0);
+                let (slope, g) = (fd - b2, f - square);
                 let back = g / slope;
                 // The error of the prediction is added to `bend`.
                 s -= back;

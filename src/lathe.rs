@@ -26,6 +26,7 @@
 //! |---|---|
 //! | `frame.rs`, `segment.rs` | what a lathe is made of: one frame, and segments, with their bounds |
 //! | `side.rs` | on which side of a plane a lathe lies |
+//! | `within.rs` | whether one lathe lies within another |
 //! | `ray/` | one ray: the fast path, the traversal, and the queries that use them |
 //! | `row/` | the rays of a row of pixels together: a sweep, and the spans of pixels that it finds |
 
@@ -34,6 +35,7 @@ mod ray;
 mod row;
 mod segment;
 mod side;
+mod within;
 
 pub(crate) use row::{CameraRays, RayGrid, RowPart, Scale, Span, Sweep};
 pub use segment::Segment;

@@ -42,8 +42,8 @@
 //!
 //! ```text
 //! message → valid → math → vector → arithmetic → cubic → bernstein → solve → profile → ray → hit → lathe
-//!      → surface → color → scene_error → light → camera → pose → sheet → solid → extent → shade → scene
-//!      → pick → occlusion → framing → picture → draw
+//!      → surface → color → scene_error → light → camera → pose → sheet → shell → solid → extent → shade
+//!      → scene → pick → occlusion → framing → picture → draw
 //! ```
 //!
 //! | stage | from | to |
@@ -96,6 +96,7 @@
 //! | *lathe* | a solid of revolution made ready to meet rays: a profile's segments with their bounds |
 //! | *body* | a solid bounded by several sheets |
 //! | *sheet* | one of the lathes that bound a body, with the material inside or outside of it |
+//! | *shell* | a body of an outer sheet and hollows within it that close the material off: from outside a pixel sees at most one of its sheets from the side without material |
 //! | *segment* | the part of a profile between two knots, where the squared radius is one cubic |
 //! | *frame* | a lathe's own coordinates: origin half way up the axis; all lengths scaled by one power of two, so that the largest squared radius is in [1, 4); then x scaled by √k, so that every lathe is round |
 //! | *slab* | the space between the planes of a segment's two knots |
@@ -181,6 +182,7 @@ mod scene;
 mod scene_error;
 mod shade;
 mod sheet;
+mod shell;
 mod solid;
 mod surface;
 mod valid;

@@ -34,8 +34,8 @@ const SORTED: usize = 8;
 /// computed once for a picture.
 ///
 /// The farthest solids come first, and each is painted over those before it. Where no plane is found between
-/// two solids, they and those ranked between them belong to the block, and so does every body, whose sheets
-/// hide one another. There is one block at most. It is painted with a distance for each pixel, in the order
+/// two solids, they and those ranked between them belong to the block, and so does every body whose sheets
+/// may hide one another. There is one block at most. It is painted with a distance for each pixel, in the order
 /// of the slice, so that of two solids at the same distance the first is seen. If there are more than
 /// [`SORTED`] solids, all are in the block.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,8 +89,8 @@ impl PaintOrder {
 
     /// Whether the solid ranked `far` is certain to hide no part of the one ranked `near`: whether a plane is
     /// found between the two, with the eye on the side of the latter. A solid and itself need no plane,
-    /// unless it is a body: then false, since its sheets may hide one another. True if the slice has no such
-    /// solid.
+    /// unless it is a body, whose sheets may hide one another: then true only if it is a
+    /// *shell* seen from outside. True if the slice has no such solid.
     #[inline(never)]
     const fn is_parted(&self, solids: &[Solid], camera: &Camera, far: usize, near: usize) -> bool {
         let (far, near) = (self.index(far), self.index(near));
@@ -98,7 +98,11 @@ impl PaintOrder {
             return true;
         }
         let (far_solid, near_solid) = (&solids[far], &solids[near]);
-        if far == near { !near_solid.is_body() } else { camera.sees_behind(far_solid, near_solid) }
+        if far == near {
+            !near_solid.is_body() || camera.sees_shell(near_solid)
+        } else {
+            camera.sees_behind(far_solid, near_solid)
+        }
     }
 
     /// Sorts the ranks from `from` to before `to`, by insertion: the solid whose index has the largest key
@@ -142,6 +146,15 @@ impl Camera {
     #[inline(never)]
     const fn distance(&self, solid: &Solid) -> u32 {
         (length(solid.center_from(self.eye)) + solid.radius()).to_bits()
+    }
+
+    /// Whether a body is a shell that lies beyond the plane through the eye, perpendicular to the direction of
+    /// view, in which all rays begin.
+    #[inline(never)]
+    const fn sees_shell(&self, body: &Solid) -> bool {
+        // The sum is no less than the radius of a ball around the body.
+        let radius = body.half_height() + body.radius();
+        body.is_shell() && dot(body.center_from(self.eye), self.forward) > MARGIN * radius
     }
 
     /// Whether a plane is found that separates two solids, with the eye on the side of `near`: then every ray

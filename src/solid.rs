@@ -9,6 +9,7 @@ use crate::pose::Pose;
 use crate::ray::{Ray, RayError};
 use crate::scene_error::SceneError;
 use crate::sheet::Sheet;
+use crate::shell::is_shell;
 use crate::solve::Newton;
 use crate::surface::Surface;
 use crate::vector::{F32x3, array, difference, one_norm, scale, sum, vector};
@@ -33,6 +34,8 @@ pub struct Solid<'a> {
     /// Half the height of the cylinder around all sheets, and its radius, in the solid's own space.
     half_height: f32,
     radius: f32,
+    /// Whether it is a body whose sheets do not hide one another from outside.
+    is_shell: bool,
     pose: Pose,
     color: Rgb,
     gloss: Gloss,
@@ -47,6 +50,7 @@ impl<'a> Solid<'a> {
             rest: &[],
             half_height: lathe.half_height(),
             radius: lathe.radius(),
+            is_shell: false,
             pose: Pose::IDENTITY,
             color,
             gloss: Gloss::new(0),
@@ -101,6 +105,10 @@ impl<'a> Solid<'a> {
     /// since the two ways to cast a ray may differ where it grazes a rim: the fast path may find a hit there,
     /// and the traversal none.
     ///
+    /// A body whose first sheet is an outer one, and all others hollows within it, each closed or joined to it
+    /// by a rim at either end, takes the least time in a picture: seen from outside, its sheets are not
+    /// compared by their distances.
+    ///
     /// # Errors
     ///
     /// [`SceneError::NoSheets`] if there is none, [`SceneError::SheetMiddle`] if one is not prepared about
@@ -110,7 +118,8 @@ impl<'a> Solid<'a> {
         let [first, rest @ ..] = sheets else {
             return Err(SceneError::NoSheets);
         };
-        let mut body = Self { first: *first, rest, ..Self::new(first.lathe(), color) };
+        let alone = Self::new(first.lathe(), color);
+        let mut body = Self { first: *first, rest, is_shell: is_shell(sheets), ..alone };
         let (own, mut sheet) = (first.lathe(), 1);
         while sheet < sheets.len() {
             let other = sheets[sheet].lathe();
@@ -161,6 +170,12 @@ impl<'a> Solid<'a> {
     /// Whether it has more than one sheet.
     pub(crate) const fn is_body(&self) -> bool {
         !self.rest.is_empty()
+    }
+
+    /// Whether it is a body of which every ray from outside sees the one sheet that it first meets from the
+    /// side without material: see [`is_shell`].
+    pub(crate) const fn is_shell(&self) -> bool {
+        self.is_shell
     }
 
     /// Its position, rotation and scale.

@@ -10,6 +10,7 @@ mod random;
 #[path = "../examples/scenes/mod.rs"]
 #[allow(dead_code)]
 mod scenes;
+mod shells;
 
 use core::ops::Range;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -21,6 +22,7 @@ use promise::{PROMISE, unit};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use random::{even, random_camera, random_lathe, upright_camera};
+use shells::random_shell;
 
 const BLACK: Background = Background::Plain(Rgb::BLACK);
 
@@ -238,6 +240,34 @@ fn bodies_are_those_of_single_rays() {
         let towards = [even(&mut rng, -1.0, 1.0), -1.0, 0.5];
         let solids = &solids[..rng.random_range(1..=2)];
         let scene = Scene::new(solids, camera, Light::new(towards, 0.2).unwrap());
+        let known = Known { scene, colors: &colors, towards, ambient: 0.2 };
+        difference.add(&known, 48, &format!("scene {number}"));
+    }
+    difference.assert_none();
+}
+
+/// Cups, tubes, and cups with a hollow in their foot: seen from outside, none of their sheets hides another.
+#[test]
+fn shells_are_those_of_single_rays() {
+    let mut rng = ChaCha8Rng::seed_from_u64(2030);
+    let colors = [Rgb::new(0.9, 0.5, 0.3), Rgb::new(0.3, 0.4, 0.9), Rgb::new(0.2, 0.9, 0.4)];
+    let mut difference = Difference::default();
+    for number in 0..number_of_scenes() {
+        let lathes = random_shell(&mut rng);
+        let sheet = |(number, (lathe, color))| {
+            let sheet: Sheet = if number == 0 { Sheet::outer(lathe) } else { Sheet::inner(lathe) };
+            sheet.colored(color)
+        };
+        let sheets: Vec<_> =
+            lathes.iter().map(|lathe| -> &Lathe { lathe }).zip(colors).enumerate().map(sheet).collect();
+        let turn =
+            Rotation::about_x(even(&mut rng, -3.0, 3.0)).then(Rotation::about_z(even(&mut rng, -3.0, 3.0)));
+        let turn = if rng.random() { turn } else { Rotation::IDENTITY };
+        let pose = Pose::new([0.0, 0.1, -0.3], turn, even(&mut rng, 0.5, 1.5)).unwrap();
+        let solids = [Solid::body(&sheets, Rgb::WHITE).unwrap().posed(pose)];
+        let camera = if rng.random() { random_camera(&mut rng) } else { upright_camera(&mut rng) };
+        let towards = [even(&mut rng, -1.0, 1.0), -1.0, 0.5];
+        let scene = Scene::new(&solids, camera, Light::new(towards, 0.2).unwrap());
         let known = Known { scene, colors: &colors, towards, ambient: 0.2 };
         difference.add(&known, 48, &format!("scene {number}"));
     }

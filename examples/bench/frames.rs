@@ -68,12 +68,13 @@ const SHOULDERS: [(&str, &Scene); 5] = {
 
 /// Walls with thickness, solids that no plane parts: not where floats are slow.
 #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
-const SHAPES: [(&str, &Scene); 11] = {
-    use scenes::shapes::{BOWLS, BOWLS_BALL, CROSSINGS, PAWN_OF_SHEETS};
+const SHAPES: [(&str, &Scene); 12] = {
+    use scenes::shapes::{BOWL_OF_SHEETS, BOWLS, BOWLS_BALL, CROSSINGS, PAWN_OF_SHEETS};
     [
         ("outer wall", &BOWLS[0]),
         ("inner wall", &BOWLS[1]),
         ("outer and inner wall", &BOWLS[2]),
+        ("bowl of two sheets", &BOWL_OF_SHEETS),
         ("ball of the bowl", &BOWLS_BALL),
         ("pawn of six sheets", &PAWN_OF_SHEETS),
         ("one rippled solid", &CROSSINGS[0]),
@@ -114,6 +115,10 @@ pub fn measured() {
     for (name, scene) in SHAPES {
         frame::<Usual>(name, scene, || rows::<Usual>(scene, &mut row));
     }
+    #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
+    frame::<Usual>("sheets of the bowl one by one", &scenes::shapes::BOWL_OF_SHEETS, || {
+        scenes::shapes::SHEETS_OF_BOWL.iter().for_each(|scene| rows::<Usual>(scene, &mut row));
+    });
     #[cfg(any(target_abi = "eabihf", not(target_os = "none")))]
     frame::<Usual>("sheets of the pawn one by one", &scenes::shapes::PAWN_OF_SHEETS, || {
         scenes::shapes::SHEETS_OF_PAWN.iter().for_each(|scene| rows::<Usual>(scene, &mut row));

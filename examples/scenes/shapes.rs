@@ -66,6 +66,40 @@ pub static BOWLS: [Scene; 3] = [
     BOWL_SCENE.with_solids(&[OUTER_WALL, INNER_WALL]),
 ];
 
+/// The outer wall up to a rim, a flat ring, which ends where the inner wall does; and that inner wall.
+static BOWL_LATHES: [Lathe<[Segment; 2]>; 2] = {
+    let outer = match Profile::from_squared_radii(
+        &[0.0, 0.08, 0.5, 0.5],
+        &[0.05, 0.05, 0.03, 0.03, 0.3, 0.25, 0.36, 0.31],
+    ) {
+        Ok(profile) => profile.base(End::Capped),
+        Err(_) => panic!("the outer wall"),
+    };
+    let inner =
+        match Profile::from_squared_radii(&[0.03, 0.11, 0.5], &[0.0, 0.01, 0.01, 0.012, 0.25, 0.21, 0.31]) {
+            Ok(profile) => Lathe::turn_beside(profile, &outer),
+            Err(_) => panic!("the inner wall"),
+        };
+    [Lathe::turn(outer), inner]
+};
+
+static BOWL_SHEETS: [Sheet; 2] =
+    [Sheet::outer(&BOWL_LATHES[0]), Sheet::inner(&BOWL_LATHES[1]).colored(Rgb::new(0.85, 0.8, 0.7))];
+
+const fn of_bowl(solid: Solid<'static>) -> Solid<'static> {
+    solid.colored(Rgb::new(0.3, 0.6, 0.7)).shiny(30)
+}
+
+/// A bowl of two sheets that meet in its rim.
+pub static BOWL_OF_SHEETS: Scene =
+    BOWL_SCENE.with_solids(&[of_bowl(valid!(Solid::body(&BOWL_SHEETS, Rgb::WHITE)))]);
+
+/// Each of its sheets alone.
+pub static SHEETS_OF_BOWL: [Scene; 2] = [
+    BOWL_SCENE.with_solids(&[of_bowl(Solid::new(&BOWL_LATHES[0], Rgb::WHITE))]),
+    BOWL_SCENE.with_solids(&[of_bowl(Solid::new(&BOWL_LATHES[1], Rgb::WHITE))]),
+];
+
 /// The ball that lies in the bowl, alone.
 pub static BOWLS_BALL: Scene = BOWL_SCENE.with_solids(&[Solid::new(&BALL, Rgb::new(0.8, 0.75, 0.3))
     .posed(valid!(Pose::new([0.1, 0.1, 0.3], Rotation::IDENTITY, 1.0)))]);

@@ -17,21 +17,38 @@ pub(super) struct Brush<'a> {
     pub mirrored: ToLight,
     /// The column of the part's first pixel.
     pub x: u32,
+    /// Whether the sheet is one of a *shell*, and no distances are compared: then the shell is seen from
+    /// outside.
+    is_shell: bool,
 }
 
 impl<'a> Brush<'a> {
     /// The brush for a part that begins in column x, given the sheet's material, its rays and, if the left
-    /// half of the part is the mirror image of the right half, the mirrored light.
+    /// half of the part is the mirror image of the right half, the mirrored light; and whether the sheet is
+    /// one of a shell of which no distances are compared.
     #[inline(always)]
-    pub fn new(finish: Finish, rays: &'a SolidRays<'a>, mirrored: Option<ToLight>, x: u32) -> Self {
+    pub fn new(
+        finish: Finish,
+        rays: &'a SolidRays<'a>,
+        mirrored: Option<ToLight>,
+        x: u32,
+        is_shell: bool,
+    ) -> Self {
         let (is_mirrored, mirrored) = (mirrored.is_some(), mirrored.unwrap_or(finish.to_light));
-        Self { rays, finish, is_mirrored, mirrored, x }
+        Self { rays, finish, is_mirrored, mirrored, x, is_shell }
     }
 
     /// The direction to the light, in the solid's own space, not mirrored: [`Finish::to_light`].
     #[inline(always)]
     pub fn to_light(&self) -> &ToLight {
         &self.finish.to_light
+    }
+
+    /// Whether a pixel may show the sheet where its ray first meets it, and `enters` the lathe there, or
+    /// leaves it: any such place, except one on a shell that the ray comes to from within the material.
+    #[inline(always)]
+    pub fn sees(&self, enters: bool) -> bool {
+        !self.is_shell || enters != self.rays.sheet.is_inner()
     }
 
     /// The column of a pixel.

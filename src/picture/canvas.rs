@@ -43,13 +43,41 @@ impl<C: Paint> Canvas<'_, '_, C> {
     pub fn half_row(&mut self, sweep: &mut Sweep) {
         let mut i = 0;
         while i < sweep.len() {
-            i = match sweep.next(i) {
-                Span::Tracked { to } => self.tracked(sweep, i, to),
-                Span::Flat { to } => self.flat(sweep, i, to),
-                Span::Empty { to } => to,
-                Span::Single => self.single(sweep, i),
+            let (to, is_flat) = match sweep.next(i) {
+                Span::Tracked { to } => (to, false),
+                Span::Flat { to } => (to, true),
+                Span::Empty { to } => {
+                    i = to;
+                    continue;
+                }
+                Span::Single => {
+                    i = self.single(sweep, i);
+                    continue;
+                }
+            };
+            i = if self.brush.sees(sweep.enters()) {
+                self.span(sweep, i, to, is_flat)
+            } else {
+                self.unseen(sweep, i, to, is_flat)
             };
         }
+    }
+
+    /// Does what [`Canvas::flat`] or [`Canvas::tracked`] does.
+    #[inline(always)]
+    fn span(&mut self, sweep: &mut Sweep, i: u32, to: u32, is_flat: bool) -> u32 {
+        if is_flat { self.flat(sweep, i, to) } else { self.tracked(sweep, i, to) }
+    }
+
+    /// Does the same, but paints nothing: on a side of the sheet that no pixel shows.
+    #[cold]
+    #[inline(never)]
+    fn unseen(&mut self, sweep: &mut Sweep, i: u32, to: u32, is_flat: bool) -> u32 {
+        // There are no pixels to paint.
+        let run = mem::take(&mut self.run);
+        let next = self.span(sweep, i, to, is_flat);
+        self.run = run;
+        next
     }
 
     /// Paints the pixels from the i-th on, to before `to`, as long as they see the tracked root, and their
@@ -121,12 +149,12 @@ impl<C: Paint> Canvas<'_, '_, C> {
     fn compared(&mut self, at: usize, p: Pair, q: Pair, s: f32) {
         let Self { brush, depths: Some(depths), .. } = self else { return };
         let (seen, distance) = (&Seen::of_pairs([p, q]), depths.scale.distance(s));
-        if let Some(pixel) = depths.shown(brush, at, distance) {
+        if let Some(pixel) = depths.shown(brush, at, distance, false) {
             *pixel = brush.color(at, at, seen, brush.to_light());
         }
         if brush.is_mirrored {
             let image = depths.run.len().wrapping_sub(at + 1);
-            if let Some(pixel) = depths.shown(brush, image, distance) {
+            if let Some(pixel) = depths.shown(brush, image, distance, false) {
                 *pixel = brush.color(image, at, seen, &brush.mirrored);
             }
         }
@@ -180,8 +208,10 @@ impl<C: Paint> Canvas<'_, '_, C> {
         let mut column = if self.brush.is_mirrored { sweep.mirrored_column(i) } else { own };
         // The pixel's own ray is cast last, because the sweep goes on from the hit that is reported last.
         loop {
-            if let Some((seen, t)) = self.brush.rays.cast(sweep, i, column) {
-                self.put(column, &seen, -t);
+            if let Some((seen, t, enters)) = self.brush.rays.cast(sweep, i, column)
+                && self.brush.sees(enters)
+            {
+                self.put(column, &seen, t);
             }
             if column == own {
                 return i + 1;
@@ -191,7 +221,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
     }
 
     /// Paints the pixel of a column, unless what was painted before hides the solid there. The pixel's ray
-    /// sees the solid at `distance`, which only matters if there are `depths`. The light is not mirrored:
+    /// sees the solid at the exact `distance`, which only matters if there are `depths`. The light is not mirrored:
     /// `seen` is what this pixel sees, in whichever half of the row it lies.
     #[inline(never)]
     fn put(&mut self, column: u32, seen: &Seen, distance: f32) {
@@ -199,7 +229,7 @@ impl<C: Paint> Canvas<'_, '_, C> {
         let at = (column - brush.x) as usize;
         let pixel = match depths {
             None => run.get_mut(at),
-            Some(depths) => depths.shown(brush, at, distance),
+            Some(depths) => depths.shown(brush, at, distance, true),
         };
         if let Some(pixel) = pixel {
             *pixel = brush.color(at, at, seen, brush.to_light());

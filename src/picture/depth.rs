@@ -1,8 +1,8 @@
 //! Which of several solids, or of a body's sheets, a pixel shows if no plane separates them: the nearest, by
 //! the distances that their sweeps find.
 //!
-//! A distance is the t at which a pixel's ray meets a sheet. It is written as it is if a sweep has found it,
-//! to within [`Sweep::depth_error`], and negated if a single ray has.
+//! A distance is the t at which a pixel's ray meets a sheet. It is exact if a single ray has found it, and
+//! known to within [`Sweep::depth_error`] if a sweep has.
 
 use super::brush::Brush;
 use super::solid_row::SolidRays;
@@ -17,7 +17,8 @@ use core::ptr;
 /// The pixels of a run, and for each the distance of what was painted before.
 pub(super) struct Depths<'a, C> {
     pub run: &'a mut [C],
-    /// The distance of the nearest sheet so far, for each pixel: infinite if there is none.
+    /// The distance of the nearest sheet so far, for each pixel, negated if it is exact: infinite if there is
+    /// none.
     nearest: &'a mut [f32],
     block: Block<'a>,
     /// Twice a bound of the error of any distance that a sweep has found, of this sheet and those before it.
@@ -50,23 +51,24 @@ impl<'a, C: Paint> Depths<'a, C> {
     }
 
     /// Returns the pixel `at` if it shows the sheet that is being painted, of which its ray sees a point at
-    /// `distance`; then the sheet counts as the nearest at this pixel from here on. Returns `None` if what
-    /// was painted before hides that point, or if there is no pixel `at`.
+    /// `distance`, which may be exact; then the sheet counts as the nearest at this pixel from here on.
+    /// Returns `None` if what was painted before hides that point, or if there is no pixel `at`.
     // In a build for speed the compiler inlines it. In a build for size it is one function for all callers.
     #[inline]
-    pub fn shown(&mut self, brush: &Brush, at: usize, distance: f32) -> Option<&mut C> {
+    pub fn shown(&mut self, brush: &Brush, at: usize, distance: f32, is_exact: bool) -> Option<&mut C> {
         let Self { run, nearest, block, margin, .. } = self;
         let nearest = nearest.get_mut(at)?;
-        let gap = nearest.abs() - distance.abs();
+        let gap = nearest.abs() - distance;
         if gap > *margin {
-            *nearest = distance;
+            *nearest = if is_exact { -distance } else { distance };
         } else if gap + *margin < 0.0 {
             return None;
         } else {
             cold_path();
-            let (before, t) = block.compare(brush.rays, brush.column(at), *nearest, distance, *margin);
-            // The minus sign marks the distance as a single ray's: if a further sheet comes as near at this
-            // pixel, `compare` takes it as it is, and casts no rays at the sheets painted so far.
+            let (before, t) =
+                block.compare(brush.rays, brush.column(at), *nearest, is_exact.then_some(distance), *margin);
+            // If a further sheet comes as near at this pixel, `compare` takes the negated distance as exact,
+            // and casts no rays at the sheets painted so far.
             let is_shown = t < before.abs();
             *nearest = if is_shown { -t } else { before };
             if !is_shown {
@@ -80,14 +82,22 @@ impl<'a, C: Paint> Depths<'a, C> {
 impl Block<'_> {
     /// Two distances of a column, so exact that their order is that which single rays find, where the known
     /// ones are closer together than the margin: that of the nearest sheet painted before, and that of the
-    /// sheet that `rays` are cast at. `nearest` and `distance` are the known ones. The second is returned as a
-    /// single ray finds it. So is the first, negated, unless it differs from the second by more than a
-    /// sweep's error, half of the margin: then it is returned as it is. If the two results are equal, the
-    /// pixel shows what was painted before, which is the first in the slice.
+    /// sheet that `rays` are cast at. `nearest` is the first one, as it is known; `exact` the second one, if
+    /// that is known. The second is returned as a single ray finds it. So is the first, negated, unless it
+    /// differs from the second by more than a sweep's error, half of the margin: then it is returned as it
+    /// is. If the two results are equal, the pixel shows what was painted before, which is the first in the
+    /// slice.
     #[cold]
     #[inline(never)]
-    fn compare(&self, rays: &SolidRays, column: u32, nearest: f32, distance: f32, margin: f32) -> (f32, f32) {
-        let t = if distance < 0.0 { -distance } else { rays.distance(rays.solid, rays.sheet, column) };
+    fn compare(
+        &self,
+        rays: &SolidRays,
+        column: u32,
+        nearest: f32,
+        exact: Option<f32>,
+        margin: f32,
+    ) -> (f32, f32) {
+        let t = exact.unwrap_or_else(|| rays.distance(rays.solid, rays.sheet, column));
         if nearest < 0.0 || (nearest - t).abs() > 0.5 * margin {
             return (nearest, t);
         }

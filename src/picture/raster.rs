@@ -143,7 +143,8 @@ impl Raster<'_> {
         let mirror = along.sweep.mirror();
         let mirrored =
             mirror.map(|n| kept.map_or_else(|| finish.to_light.mirrored(n), |aspect| aspect.mirrored));
-        let brush = Brush::new(finish, &along.rays, mirrored, part.x);
+        let brush =
+            Brush::new(finish, &along.rays, mirrored, part.x, solid.is_body() && part.depths.is_none());
         let mut canvas = Canvas { brush, run: part.run, depths: part.depths.as_deref_mut() };
         loop {
             canvas.half_row(&mut along.sweep);

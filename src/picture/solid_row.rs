@@ -55,16 +55,17 @@ impl<'a> SolidRow<'a> {
 
 impl SolidRays<'_> {
     /// Casts the ray of a column, which is that of the i-th pixel or of its mirror image, and tells the sweep
-    /// of a hit. Returns what the ray sees of the sheet and at which t; `None` if it misses.
+    /// of a hit. Returns what the ray sees of the sheet, at which t, and whether it enters the lathe there;
+    /// `None` if it misses.
     #[inline(never)]
-    pub fn cast(&self, sweep: &mut Sweep, i: u32, column: u32) -> Option<(Seen, f32)> {
+    pub fn cast(&self, sweep: &mut Sweep, i: u32, column: u32) -> Option<(Seen, f32, bool)> {
         let Self { solid, sheet, .. } = *self;
         let ray = ray(solid, self.row, column as f32, self.row.y as f32);
         // By reference: a copy would stay on the stack.
         let hit = &nearest(sheet, &ray);
         let hit = hit.as_ref()?;
         sweep.found(i, hit);
-        Some((seen(sheet, &ray, hit), hit.t))
+        Some((seen(sheet, &ray, hit), hit.t, hit.enters))
     }
 
     /// The t at which a column's ray first meets a sheet of a solid; infinite if it misses.

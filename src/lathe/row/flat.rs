@@ -46,6 +46,7 @@ impl Sweep<'_> {
             // A cap reaches to the axis: it has no inner rim, and no r² is negative.
             let inner = if inner > 0.0 { inner } else { -outer };
             let up = if rises { -1.0 } else { 1.0 };
+            self.root.sign = if rises == (above > below) { 1.0 } else { -1.0 };
             self.flat = self.bounds.numbers.flat(&self.bounds, z, (inner, outer), up);
             if self.passes(i).is_none() {
                 continue;
@@ -54,9 +55,8 @@ impl Sweep<'_> {
             if number != first {
                 let path = self.path(i);
                 let (near, _) = self.interval(&path);
-                let sign = if rises == (above > below) { 1.0 } else { -1.0 };
-                let before =
-                    self.below_zero(i, &path, sign, (near, self.bounds.numbers.plane(&path, z)), usize::MAX);
+                let until = self.bounds.numbers.plane(&path, z);
+                let before = self.below_zero(i, &path, self.root.sign, (near, until), usize::MAX);
                 to = to.min(before.unwrap_or(i));
             }
             if to > i {

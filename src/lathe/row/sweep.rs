@@ -89,7 +89,8 @@ pub(super) struct TrackedRoot<'a> {
     /// Whether a root is tracked.
     pub is_tracked: bool,
     /// 1 if the ray enters the solid at the root, −1 if it leaves it. A root where the ray leaves is tracked
-    /// as one where the reversed ray enters: its s has the other sign there.
+    /// as one where the reversed ray enters: its s has the other sign there. Of a cap or a ring that is seen
+    /// this says whether the ray enters the solid there.
     pub sign: f32,
     /// `sign·s` as predicted for the next pixel; its last change from pixel to pixel; and the last change of
     /// that: the bits of numbers of the row's arithmetic.
@@ -247,6 +248,18 @@ impl Sweep<'_> {
     #[inline(always)]
     pub fn mirrored_column(&self, i: u32) -> u32 {
         self.bounds.middle - 1 - i
+    }
+
+    /// Whether distances are compared with those of other solids.
+    #[inline(always)]
+    pub fn has_depth(&self) -> bool {
+        self.bounds.least_slope > 0.0
+    }
+
+    /// Whether the rays of the last [`Span::Tracked`] or [`Span::Flat`] enter the solid where they meet it.
+    #[inline(always)]
+    pub fn enters(&self) -> bool {
+        self.root.sign > 0.0
     }
 
     /// The conversion of s to the t of a ray.

@@ -20,7 +20,7 @@ impl Sweep<'_> {
     /// if the root has no certificate for the i-th pixel.
     #[inline(always)]
     pub(super) fn limit(&self, i: u32) -> u32 {
-        let most = if self.bounds.least_slope > 0.0 { MOST_COMPARED } else { Numbers::MOST_PIXELS };
+        let most = if self.has_depth() { MOST_COMPARED } else { Numbers::MOST_PIXELS };
         (i + most.min(self.direction.len - i)).min(self.root.certificate.until)
     }
 

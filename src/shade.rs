@@ -27,11 +27,9 @@ impl Finish {
     /// own. `known` is the direction to the light in the solid's own space, if that is known.
     #[inline(always)]
     pub fn new<C: Paint>(solid: &Solid, color: &Rgb, light: &Light, known: Option<ToLight>) -> Self {
-        Self {
-            to_light: known.unwrap_or_else(|| to_light(solid, light)),
-            ambient: light.everywhere,
-            color: color.shades(most_shades::<C>()).times_four(),
-        }
+        let color = color.shades(most_shades::<C>()).times_four();
+        let to_light = known.unwrap_or_else(|| to_light(solid, light));
+        Self { to_light, ambient: light.everywhere, color }
     }
 
     /// The color of a visible point without a highlight. `to_light` is [`Finish::to_light`], or the mirror

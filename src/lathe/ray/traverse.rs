@@ -141,7 +141,9 @@ impl<'a> Traversal<'a> {
         }
         self.inside = !self.inside;
         let is_step = before.to_bits() != behind.to_bits();
-        Some(plane_hit(self.frame, self.ray.distance(self.at), self.index, is_step, self.up, self.inside))
+        // The number of the segment above the plane.
+        let upper = if self.up { self.index } else { self.index.wrapping_add(1) };
+        Some(plane_hit(self.frame, self.ray.distance(self.at), upper, is_step, self.up, self.inside))
     }
 
     /// Passes the slab of the segment, as far as `to`, and reports the hits in it. Afterwards the state is
@@ -180,13 +182,11 @@ impl<'a> Traversal<'a> {
 
 /// The hit on a plane where a ray changes sides, at the t of the [`Ray`](crate::Ray). If `is_step`, it is on
 /// the ring or cap in the plane. Else it is on the wall, where that meets the plane: a segment's height is
-/// so small that the crossing was not found within the segment. `index` is the number of the segment that the
-/// ray comes to, one past the last or `usize::MAX` if there is none; `up` says whether the ray rises,
-/// `enters` whether it enters the solid.
+/// so small that the crossing was not found within the segment. `upper` is the number of the segment above
+/// the plane, one past the last if there is none; `up` says whether the ray rises, `enters` whether it enters
+/// the solid.
 #[inline(never)]
-fn plane_hit(frame: &Frame, t: f32, index: usize, is_step: bool, up: bool, enters: bool) -> Hit {
-    // The number of the segment above the plane.
-    let upper = if up { index } else { index.wrapping_add(1) };
+fn plane_hit(frame: &Frame, t: f32, upper: usize, is_step: bool, up: bool, enters: bool) -> Hit {
     let (is_base, is_top) = (upper == 0, upper == frame.len);
     // A ring that rising rays leave through, and falling rays enter through, faces up, and belongs to the
     // segment below.

@@ -8,12 +8,13 @@ pub(crate) const fn square([x, y, z]: [i32; 3]) -> u64 {
     wide_square(x) + wide_square(y) + wide_square(z)
 }
 
-/// 1/√x in the middle of each of 96 equal intervals of x from 1/4 to 1, in units of 2⁻⁷.
-static GUESSES: [u8; 96] = {
-    let (mut guesses, mut i) = ([0; 96], 0);
+/// 1/√x in the middle of each of 128 equal intervals of x from 0 to 1, in units of 2⁻⁷. The first 32 are not
+/// used: without them it would have to be asked whether a number is in the table.
+static GUESSES: [u8; 128] = {
+    let (mut guesses, mut i) = ([0; 128], 32);
     while i < guesses.len() {
-        // x is (2·i + 65)/256. Of 2²²/x the root is 2¹¹/√x.
-        let root = ((1_u32 << 30) / (2 * i as u32 + 65)).isqrt();
+        // x is (2·i + 1)/256. Of 2²²/x the root is 2¹¹/√x.
+        let root = ((1_u32 << 30) / (2 * i as u32 + 1)).isqrt();
         guesses[i] = ((root + 8) >> 4) as u8;
         i += 1;
     }
@@ -34,7 +35,7 @@ pub(crate) fn inverse_root(x: i32) -> i32 {
         let rest = (1 << 25) - high(x << 1, high(y, y));
         y + (high(y, rest << 4) << 2)
     };
-    let guess = GUESSES.get((x as usize >> 23).wrapping_sub(32)).copied().unwrap_or(u8::MAX);
+    let guess = GUESSES[x as usize >> 23 & 127];
     step(step(i32::from(guess) << 22))
 }
 

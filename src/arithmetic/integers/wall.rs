@@ -64,13 +64,6 @@ impl Wall {
         let [_, a1, a2, a3] = self.a;
         a1.unsigned_abs() + a2.unsigned_abs() + a3.unsigned_abs()
     }
-
-    /// The derivative of f over v, at v, in the units of `a`.
-    #[inline(always)]
-    pub fn slope(&self, v: i32) -> i32 {
-        let [_, a1, a2, a3] = self.a;
-        (high((high(3 * a3, v) + a2) << 1, v) << 1) + a1
-    }
 }
 
 /// The coefficients about the middle, in units of 2^−`bits`, of the cubic with the coefficients f in powers

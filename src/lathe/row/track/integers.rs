@@ -229,7 +229,8 @@ impl Numbers {
                     // few.
                     let rise = (i64::from(sigma) * i64::from(to_knot.min(slip))) << 12;
                     let tolerance = wide(bounds.tolerance, slope_bits + 12 + numbers.p - numbers.d) + 1;
-                    if to_knot < slip && rise <= tolerance * i64::from(dz).abs() {
+                    let tolerance = if dz < 0 { -tolerance } else { tolerance };
+                    if to_knot < slip && rise <= tolerance * i64::from(dz) {
                         end = TrackEnd::Uncertified;
                         break 'pixels;
                     }
@@ -262,7 +263,7 @@ impl Numbers {
                         }
                     }
                 }
-                let Some(seen) = gradient.seen(x, y, wall.slope(v)) else {
+                let Some(seen) = gradient.seen(x, y, v) else {
                     end = TrackEnd::Uncertified;
                     break 'pixels;
                 };

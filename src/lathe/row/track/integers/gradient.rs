@@ -5,19 +5,17 @@ use crate::arithmetic::integers::{Direction, Numbers, Seen, Wall, fixed, high, i
 
 /// What the normals of a segment's wall are computed from where a root is tracked.
 pub(super) struct Gradient {
-    /// The multiplications that bring x and y, and the derivative of f, to the unit of the gradient:
-    /// 2^(block − 28), or, where the derivative would exceed 2²⁹ of these, the least power of two in which
-    /// it does not.
+    /// The multiplication that brings x and y to the unit of the gradient: 2^(block − 28), or, where the
+    /// derivative of f would exceed 2²⁹ of these, the least power of two in which it does not.
     xy: Shift,
-    z: Shift,
+    /// The gradient's z as coefficients in powers of v, in that unit.
+    z: [i32; 3],
     /// √k in units of 2⁻³¹; zero if k is 1.
     squash: i32,
-    /// Whether the wall is seen from inside.
-    is_inside: bool,
 }
 
-/// A gradient is multiplied by 2¹⁰ at most. Where it is shorter still, the row does not decide the pixel.
-const MOST_ZOOM: u32 = 10;
+/// A gradient is multiplied by 2⁹ at most. Where it is shorter still, the row does not decide the pixel.
+const MOST_ZOOM: u32 = 9;
 
 impl Gradient {
     /// What belongs to the wall of a segment, seen from outside or from inside. `root_squash` is √k.
@@ -26,27 +24,29 @@ impl Gradient {
         // −½·dF/dz is the derivative over v times −2^(−1 − height).
         let left = 1 + block - height;
         let less = (3 - wall.steepest().leading_zeros() as i32 + left).max(0);
+        let z = Shift::left(left - less);
+        let [_, a1, a2, a3] = wall.a.map(|a| z.of(if is_inside { a } else { -a }));
         Self {
             xy: Shift::left(28 - block - less - numbers.p),
-            z: Shift::left(left - less),
+            z: [a1, a2, 3 * a3],
             squash: if root_squash.to_bits() == 1.0_f32.to_bits() { 0 } else { fixed(root_squash, 31) },
-            is_inside,
         }
     }
 
     /// What is seen at a point of the wall, given its x, scaled by √k, and its y, both times −1 if the wall
-    /// is seen from inside, and the derivative of f over v. `None` if the gradient is too short.
+    /// is seen from inside, and its v. `None` if the gradient is too short.
     ///
     /// Half the gradient of `k·x² + y² − F` in object space is `(k·x, y, −F′/2)`, of which √k·x is the given
     /// x. It points outwards; if the wall is seen from inside, its signs are changed.
     #[inline(always)]
-    pub fn seen(&self, x: i32, y: i32, slope: i32) -> Option<Seen> {
+    pub fn seen(&self, x: i32, y: i32, v: i32) -> Option<Seen> {
         let mut x = self.xy.of(x);
         if self.squash != 0 {
             x = high(x << 1, self.squash);
         }
-        let z = self.z.of(slope);
-        let along = [x, self.xy.of(y), if self.is_inside { z } else { -z }];
+        let [z0, z1, z2] = self.z;
+        let z = (high((high(z2, v) + z1) << 1, v) << 1) + z0;
+        let along = [x, self.xy.of(y), z];
         // Less than 2⁶⁰: x² + y² is at most 2⁵⁸, and so is z². Times 4^zoom it is 2⁵⁸ or more.
         let square = square(along);
         let (high, low) = ((square >> 32) as u32, square as u32);

@@ -6,6 +6,7 @@
 
 mod divisor;
 mod fixed;
+mod inverse;
 mod inverse_root;
 mod limits;
 mod rays;
@@ -13,7 +14,10 @@ mod seen;
 mod wall;
 
 pub(crate) use divisor::{Divisor, narrowed, square_root};
-pub(crate) use fixed::{dot, exponent, fixed, fixed_vector, high, power_of_two, shifted, wide, wide_square};
+pub(crate) use fixed::{
+    dot, exponent, fixed, fixed_vector, high, power_of_two, product, shifted, wide, wide_square,
+};
+pub(crate) use inverse::inverse;
 pub(crate) use inverse_root::{inverse_root, square};
 pub(crate) use limits::Limits;
 pub(crate) use rays::Rays;

@@ -39,10 +39,24 @@ pub(crate) const fn wide_square(x: i32) -> u64 {
     (((x1 * x1) as u64) << 32 | (x0 * x0) as u64) + (((x1 * x0) as u64) << 17)
 }
 
+/// The product of two numbers, all 64 bits of it.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+pub(crate) const fn product(a: i32, b: i32) -> i64 {
+    a as i64 * b as i64
+}
+
+/// The product of two numbers, all 64 bits of it: by their halves on ARMv6-M, as in [`high`].
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline(never)]
+pub(crate) const fn product(a: i32, b: i32) -> i64 {
+    ((high(a, b) as i64) << 32) | (a.wrapping_mul(b) as u32 as i64)
+}
+
 /// The scalar product of two vectors of two components.
 #[inline(never)]
 pub(crate) const fn dot([ax, ay]: [i32; 2], [bx, by]: [i32; 2]) -> i64 {
-    ax as i64 * bx as i64 + ay as i64 * by as i64
+    product(ax, bx) + product(ay, by)
 }
 
 /// The number x in units of 2^−`bits`, rounded to the nearest; a half is rounded away from zero. What is

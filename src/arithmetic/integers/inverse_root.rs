@@ -10,7 +10,7 @@ pub(crate) const fn square([x, y, z]: [i32; 3]) -> u64 {
 
 /// 1/√x in the middle of each of 128 equal intervals of x from 0 to 1, in units of 2⁻⁷. The first 32 are not
 /// used: without them it would have to be asked whether a number is in the table.
-static GUESSES: [u8; 128] = {
+pub(super) static GUESSES: [u8; 128] = {
     let (mut guesses, mut i) = ([0; 128], 32);
     while i < guesses.len() {
         // x is (2·i + 1)/256. Of 2²²/x the root is 2¹¹/√x.

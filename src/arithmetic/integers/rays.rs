@@ -1,7 +1,7 @@
 //! The rays of a row in integers.
 
 use super::limits::Limits;
-use super::{Numbers, fixed_vector};
+use super::{Numbers, fixed_vector, product};
 use crate::arithmetic::RowLimits;
 use crate::vector::F32x3;
 
@@ -51,11 +51,11 @@ impl Rays {
     /// M and D of ray i + ½, which passes through the middle of the i-th pixel: in units of 2^−w and of 2^−d.
     #[inline(never)]
     pub fn at(&self, i: u32) -> ([i32; 3], [i32; 3]) {
-        let twice = i64::from(2 * i + 1);
+        let twice = 2 * i as i32 + 1;
         // Said to be less than 32, the shift takes the compiler half of the instructions.
         let right = (self.finer + 1) & 31;
         let sum = |x: i32, change: i32, left: i32| {
-            x.wrapping_add((((i64::from(change) * twice) << left) >> right) as i32)
+            x.wrapping_add(((product(change, twice) << left) >> right) as i32)
         };
         let ([x, y, z], [x1, y1, z1]) = (self.origin, self.origin_change);
         let ([dx, dy, dz], [dx1, dy1, dz1]) = (self.direction, self.direction_change);

@@ -28,7 +28,7 @@ mod gradient;
 mod shift;
 
 use crate::arithmetic::integers::{
-    Length, Limits, Numbers, Rays, Seen, exponent, fixed, high, power_of_two, wide,
+    Length, Limits, Numbers, Rays, Seen, exponent, fixed, high, inverse, power_of_two, wide,
 };
 use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::math::cold_path;
@@ -165,7 +165,7 @@ impl Numbers {
         // Whether the part of a segment before a root can be told, and the slope that is certain is finite.
         let has_way =
             slip < half && certain < i32::MAX && bounds.start.to_bits() == f32::NEG_INFINITY.to_bits();
-        let gradient = Gradient::new(wall, numbers, bounds.lathe.frame.root_squash, is_inside);
+        let mut gradient = Gradient::new(wall, numbers, bounds.lathe.frame.root_squash, is_inside);
 
         let unit = power_of_two(-numbers.s);
         let signed_unit = if is_inside { -unit } else { unit };
@@ -195,7 +195,7 @@ impl Numbers {
                 // With a smaller slope no root is certified. Beyond a silhouette there is none, which a probe
                 // finds out: so this does not end as a root without a certificate does.
                 let divisor = if sigma < least { 0 } else { sigma as u32 >> spare };
-                let Some(per_sigma) = u32::MAX.checked_div(divisor) else {
+                let Some(per_sigma) = inverse(divisor) else {
                     end = TrackEnd::Diverged;
                     break 'pixels;
                 };

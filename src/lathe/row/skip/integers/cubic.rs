@@ -1,6 +1,6 @@
 //! Cubics for −1 ≤ τ ≤ 1 in integers: g along a part of a ray, or how fast it changes from pixel to pixel.
 
-use crate::arithmetic::integers::{Divisor, narrowed, square_root};
+use crate::arithmetic::integers::{Divisor, high, narrowed, product, square_root};
 
 /// `a0 + a1·τ + a2·τ² + a3·τ³`, with coefficients that are rounded down to a unit each.
 pub(super) struct Cubic {
@@ -10,14 +10,14 @@ pub(super) struct Cubic {
 }
 
 /// What rounding takes from the largest value at most, in units of the coefficients: four of them are
-/// rounded, and the three products of a value. The place of the largest value is found within 2⁻²², and there
+/// rounded, and the three products of a value, by two units each. The place of the largest value is found within 2⁻²², and there
 /// the slope is zero: the value is less than a unit off for that.
-const SLACK: i64 = 8;
+const SLACK: i64 = 12;
 
-/// x·t, t in units of 2⁻³⁰.
+/// x·t, rounded down to an even number, for t in units of 2⁻³⁰ and an x below 2³⁰.
 #[inline(always)]
 fn times(x: i32, t: i32) -> i32 {
-    ((i64::from(x) * i64::from(t)) >> 30) as i32
+    high(x << 1, t) << 1
 }
 
 impl Cubic {
@@ -35,7 +35,7 @@ impl Cubic {
         let mut most = a0 + a2 + (a1 + a3).abs();
         // Otherwise the slope has no zero between −1 and 1, and the largest value is at an end.
         if a1.abs() < 2 * a2.abs() + 3 * a3.abs() {
-            let discriminant = i64::from(a2) * i64::from(a2) - i64::from(3 * a3) * i64::from(a1);
+            let discriminant = product(a2, a2) - product(3 * a3, a1);
             // Of the slope's two zeros the one where it falls, in the form that does not cancel.
             let root = square_root(discriminant);
             let (number, divisor) = if a2 > 0 { (-(a2 + root), 3 * a3) } else { (a1, root - a2) };

@@ -2,7 +2,7 @@
 
 use super::Path;
 use super::cubic::Cubic;
-use crate::arithmetic::integers::{Divisor, Numbers, dot, high, narrowed, shifted, square_root};
+use crate::arithmetic::integers::{Divisor, Numbers, dot, high, narrowed, product, shifted, square_root};
 use crate::lathe::row::skip::FALL;
 use crate::lathe::row::sweep::Sweep;
 
@@ -82,7 +82,7 @@ fn run(margin: i64, pace: i64, square: i64, fine: i32) -> i32 {
     let ([margin, pace, square, _], _) = narrowed([margin, pace, square, 0]);
     // Rounded to the safe side.
     let [margin, pace, square] = [margin - 1, pace + 1, square + 1];
-    let discriminant = i64::from(pace) * i64::from(pace) + i64::from(square) * i64::from(margin);
+    let discriminant = product(pace, pace) + product(square, margin);
     let root = square_root(discriminant) + 1;
     let (number, divisor) = if pace >= 0 { (margin, pace + root) } else { (root - 1 - pace, square) };
     if discriminant < 0 || divisor <= 0 { i32::MAX } else { Divisor::new(divisor).of(number, fine) }

@@ -56,61 +56,60 @@ impl<'a, C: Paint> Depths<'a, C> {
     // In a build for speed the compiler inlines it. In a build for size it is one function for all callers.
     #[inline]
     pub fn shown(&mut self, brush: &Brush, at: usize, distance: f32, is_exact: bool) -> Option<&mut C> {
-        let Self { run, nearest, block, margin, .. } = self;
-        let nearest = nearest.get_mut(at)?;
+        let nearest = self.nearest.get_mut(at)?;
         let gap = nearest.abs() - distance;
-        if gap > *margin {
+        if gap > self.margin {
             *nearest = if is_exact { -distance } else { distance };
-        } else if gap + *margin < 0.0 {
+        } else if gap + self.margin < 0.0 {
             return None;
         } else {
             cold_path();
-            let (before, t) =
-                block.compare(brush.rays, brush.column(at), *nearest, is_exact.then_some(distance), *margin);
-            // If a further sheet comes as near at this pixel, `compare` takes the negated distance as exact,
-            // and casts no rays at the sheets painted so far.
-            let is_shown = t < before.abs();
-            *nearest = if is_shown { -t } else { before };
-            if !is_shown {
+            if !self.is_nearer(brush, at, distance, is_exact) {
                 return None;
             }
         }
-        run.get_mut(at)
+        self.run.get_mut(at)
+    }
+
+    /// Whether the sheet that is being painted is nearer at the pixel `at` than what was painted before, where
+    /// the two distances are closer together than the margin: by single rays, so far as their order is not
+    /// certain otherwise. `distance` and `is_exact` are as in [`Depths::shown`]. The nearer one of the two
+    /// counts as exact afterwards if it is, so that no rays are cast at the sheets painted so far where a
+    /// further sheet comes as near. If the two distances are equal, the pixel shows what was painted before,
+    /// which is the first in the slice.
+    #[cold]
+    #[inline(never)]
+    fn is_nearer(&mut self, brush: &Brush, at: usize, distance: f32, is_exact: bool) -> bool {
+        let (Some(nearest), rays, column) = (self.nearest.get_mut(at), brush.rays, brush.column(at)) else {
+            return false;
+        };
+        let t = if is_exact { distance } else { rays.distance(rays.solid, rays.sheet, column) };
+        // A sweep's error is half of the margin.
+        if *nearest >= 0.0 && (*nearest - t).abs() <= 0.5 * self.margin {
+            *nearest = -self.block.before(rays, column);
+        }
+        let is_nearer = t < nearest.abs();
+        if is_nearer {
+            *nearest = -t;
+        }
+        is_nearer
     }
 }
 
 impl Block<'_> {
-    /// Two distances of a column, so exact that their order is that which single rays find, where the known
-    /// ones are closer together than the margin: that of the nearest sheet painted before, and that of the
-    /// sheet that `rays` are cast at. `nearest` is the first one, as it is known; `exact` the second one, if
-    /// that is known. The second is returned as a single ray finds it. So is the first, negated, unless it
-    /// differs from the second by more than a sweep's error, half of the margin: then it is returned as it
-    /// is. If the two results are equal, the pixel shows what was painted before, which is the first in the
-    /// slice.
-    #[cold]
-    #[inline(never)]
-    fn compare(
-        &self,
-        rays: &SolidRays,
-        column: u32,
-        nearest: f32,
-        exact: Option<f32>,
-        margin: f32,
-    ) -> (f32, f32) {
-        let t = exact.unwrap_or_else(|| rays.distance(rays.solid, rays.sheet, column));
-        if nearest < 0.0 || (nearest - t).abs() > 0.5 * margin {
-            return (nearest, t);
-        }
+    /// The distance that single rays find, at a column, of the nearest sheet painted before that which `rays`
+    /// are cast at.
+    fn before(&self, rays: &SolidRays, column: u32) -> f32 {
         let mut before = f32::INFINITY;
         for rank in self.order.block.. {
             let Some(solid) = self.solids.get(self.order.index(rank)) else { break };
             for sheet in solid.sheets() {
                 if ptr::eq(solid, rays.solid) && ptr::eq(sheet, rays.sheet) {
-                    return (-before, t);
+                    return before;
                 }
                 before = lesser(before, rays.distance(solid, sheet, column));
             }
         }
-        (-before, t)
+        before
     }
 }

@@ -47,7 +47,7 @@ impl Cubic {
 
     /// Returns the value at u, by Horner's rule: 3 multiplications and 3 additions, off by at most 6 units of
     /// 2⁻²⁴ of [`Cubic::size`], one for each of them.
-    #[inline(always)]
+    #[inline]
     #[must_use]
     pub const fn at(&self, u: f32) -> f32 {
         let [c0, c1, c2, c3] = self.c;

@@ -173,7 +173,8 @@ impl<'a> TrackedRoot<'a> {
             index: 0,
             // No segment of a lathe, so that the bounds of the first one will be computed.
             segment: &Segment::EMPTY,
-            own: SegmentBounds { tolerance: 0.0, slack: 0.0, newton_tolerance: 0.0 },
+            // Not zero: a longer run of zeros would be written by `memclr`, which nothing else needs.
+            own: SegmentBounds { tolerance: f32::INFINITY, slack: f32::INFINITY, newton_tolerance: 0.0 },
             certificate: Certificate {
                 certain: f32::INFINITY,
                 slope: f32::INFINITY,

@@ -178,8 +178,9 @@ impl Gloss {
 }
 
 impl Views {
-    /// The directions of a matt solid, which has no highlight: all are zero.
-    pub const NONE: Self = Self { first: vector([0.0; 3]), change: vector([0.0; 3]) };
+    /// The directions of a matt solid, which has no highlight: any.
+    // Not all zero: zeros would be written by `memclr`, which no other part of the crate needs.
+    pub const NONE: Self = Self { first: vector([1.0; 3]), change: vector([1.0; 3]) };
 
     /// The directions of the columns before `end`.
     #[inline(always)]

@@ -39,7 +39,7 @@ impl Share {
     }
 
     /// The share x; a negative x and NaN give 0, an x above 1 gives 1.
-    #[inline(always)]
+    #[inline]
     pub const fn up_to_one(x: f32) -> Self {
         let units = (x * Self::UNITS) as u32;
         Self(if units < 1 << 30 { units as i32 } else { 1 << 30 })

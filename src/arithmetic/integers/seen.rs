@@ -79,8 +79,9 @@ impl Gloss {
 }
 
 impl Views {
-    /// The directions of a matt solid, which has no highlight: all are zero.
-    pub const NONE: Self = Self { first: [0; 3], change: [0; 3], finer: 0 };
+    /// The directions of a matt solid, which has no highlight: any.
+    // Not all zero: zeros would be written by `memclr`, which no other part of the crate needs.
+    pub const NONE: Self = Self { first: [1; 3], change: [1; 3], finer: 1 };
 
     /// The directions of the columns before `end`.
     #[inline(always)]
@@ -118,7 +119,7 @@ impl Direction {
 
     /// The scalar product of the unit vector in this direction and another vector, whose length may be at
     /// most 1: in units of 2⁻²⁸, if the other vector is given in units of 2⁻³¹.
-    #[inline(always)]
+    #[inline]
     fn dot(&self, [x, y, z]: [i32; 3]) -> i32 {
         let [along_x, along_y, along_z] = self.along;
         let product = high(along_x, x) + high(along_y, y) + high(along_z, z);

@@ -49,7 +49,7 @@ impl Wall {
     }
 
     /// f at v, and its derivative over v, both in the units of `a`.
-    #[inline(always)]
+    #[inline]
     pub fn with_slope(&self, v: i32) -> (i32, i32) {
         let [a0, a1, a2, a3] = self.a;
         let third = high(a3, v) << 1;

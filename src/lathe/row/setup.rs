@@ -9,7 +9,7 @@ use crate::lathe::Lathe;
 
 impl<S: ?Sized> Lathe<S> {
     /// The rays of a picture, or of one row of it, in the lathe's frame.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn grid(&self, rays: &CameraRays) -> RayGrid {
         RayGrid::new(&self.frame, rays)
     }
@@ -19,7 +19,7 @@ impl Lathe {
     /// Sets up the traversal of a part of a row of rays, at its right half. `grid` is one that
     /// [`Lathe::grid`] of this lathe returned: that of one row, or of a picture, of which the row j, counted
     /// downwards from the middle, is to be swept, unless its plane [passes](RayGrid::passes_by) the lathe by.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn sweep(&self, grid: &RayGrid, j: Option<f32>, part: &RowPart) -> Sweep<'_> {
         let lathe = self.view();
         let (bounds, rays) = RowBounds::new(lathe, grid, j, part);

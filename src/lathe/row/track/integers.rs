@@ -98,13 +98,17 @@ impl Numbers {
         let (m, d) = rays.at(i);
         let m1 = rays.origin_change.map(|x| rounded(x, up - rays.finer));
         let d1 = rays.direction_change.map(|x| rounded(x, 3 - rays.finer));
-        let exceeds = |[x, y, z]: [i32; 3], most: u32| {
-            x.unsigned_abs() > most || y.unsigned_abs() > most || z.unsigned_abs() > most
+        // Whether all components are from −most to before most, a power of two.
+        let are_within = |v: [i32; 3], most: i32| {
+            let [x, y, z] = v.map(|x| x.wrapping_add(most) as u32);
+            x | y | z < 2 * most as u32
         };
-        // After a change of less than 2²⁹ units from an M in range the next does not wrap around.
-        let is_far = exceeds(rays.origin_change.map(|x| x >> rays.finer), 1 << (29 - up));
-        let to = if is_far { to.min(i + 1) } else { to };
-        let is_tracked = !exceeds(m, 1 << (30 - up)) && block <= MOST_BLOCK;
+        // After a change of less than 2²⁹ units from an M in range the next does not wrap around. Of 2^(up + 1)
+        // pixels or more no change is larger: see `Rays::finer`.
+        let is_near =
+            rays.finer > up + 1 || are_within(rays.origin_change.map(|x| x >> rays.finer), 1 << (29 - up));
+        let to = if is_near { to } else { to.min(i + 1) };
+        let is_tracked = are_within(m, 1 << (30 - up)) && block <= MOST_BLOCK;
         let to = if is_tracked { to } else { i };
         let ([mut mx, mut my, mut mz], [mut dx, mut dy, mut dz]) = image(m.map(|x| x << up), d);
         let ([mx1, my1, mz1], [dx1, dy1, dz1]) = image(m1, d1);
@@ -115,7 +119,6 @@ impl Numbers {
         let radius_bits = (29 - block - numbers.p) as u32;
         let most_radius = (3 << (numbers.p + block)).min((1 << 30) - 1);
         let parameter_bits = (31 - numbers.p - height) as u32;
-        let most_height = 1 << (31 - parameter_bits);
 
         // σ, half the slope, is a term of f, 25 − 2·block − (31 − d) − height bits, and one of x and y,
         // 28 − block − (31 − d) bits. The finer of the two is shifted.
@@ -135,7 +138,6 @@ impl Numbers {
         let left = scale - spare as i32 - 10;
         let zoom = left.max(1);
         let back_right = (zoom - left) as u32;
-        let most_zoomed = 1 << (31 - zoom);
         // The last Newton step, of length b, has b² ≤ newton_tolerance·A/2: it leaves ROOT/2. A is at least
         // |D|/4 at most roots; where it is less, the least A counts. And b times the relative error of σ's
         // inverse is at most 2⁻²⁰, which is another ROOT/2. That error is 2⁻¹⁰, or more where σ may be large:
@@ -179,7 +181,9 @@ impl Numbers {
                 let x = mx.wrapping_add(high(s, dx));
                 let y = my.wrapping_add(high(s, dy));
                 let z = mz.wrapping_add(high(s, dz));
-                if !is_within(z, most_height) {
+                // In its unit |v| < 1, or the shift loses bits of z.
+                let v = z << parameter_bits;
+                if v >> parameter_bits != z {
                     end = TrackEnd::Left { upper: z > 0 };
                     break 'pixels;
                 }
@@ -188,7 +192,7 @@ impl Numbers {
                     break 'pixels;
                 }
                 let (near_x, near_y) = (x << radius_bits, y << radius_bits);
-                let (f, slope) = wall.with_slope(z << parameter_bits);
+                let (f, slope) = wall.with_slope(v);
                 let g = f - (high(near_x, near_x) + high(near_y, near_y));
                 let sigma =
                     (high(slope, dz) >> f_right) - ((high(near_x, dx) + high(near_y, dy)) >> xy_right);
@@ -199,8 +203,9 @@ impl Numbers {
                     end = TrackEnd::Diverged;
                     break 'pixels;
                 };
-                let back = if is_within(g, most_zoomed) {
-                    high(g << zoom, (per_sigma << 10) as i32) >> back_right
+                let zoomed = g << zoom;
+                let back = if zoomed >> zoom == g {
+                    high(zoomed, (per_sigma << 10) as i32) >> back_right
                 } else {
                     cold_path();
                     let right = 32 + spare as i32 - scale;

@@ -59,13 +59,19 @@ impl Numbers {
         let (p, h) = ([px, py], [dx, dy].map(|d| high(half, d)));
         let v = at_height([x1 + high(middle, dx1), y1 + high(middle, dy1), z1 + high(middle, dz1)]);
         let w = at_height([dx1, dy1, dz1].map(|d| high(half, d)));
-        // The most of −sign·⟨P, v⟩, half the first term of the change, and of −sign·v², the second.
-        let largest = |c: [i64; 3]| {
-            let [c0, c1, c2] = if sign.is_sign_negative() { c } else { c.map(|c| -c) };
-            Cubic::new([c0, c1, c2, 0]).most()
+        // The most of −sign·⟨P, v⟩, half the first term of the change, and of −sign·v², the second. All motions
+        // of the interval have the same direction but for rounding: v² is largest at an end, and least at one,
+        // unless v comes to zero.
+        let is_negative = sign.is_sign_negative();
+        let pace = [dot(p, v), dot(p, w) + dot(h, v), dot(h, w), 0];
+        let pace = Cubic::new(pace.map(|c| if is_negative { c } else { -c })).most();
+        let (vw, ww) = (dot(v, w).abs(), dot(w, w));
+        let ends = dot(v, v) + ww;
+        let square = match is_negative {
+            true => ends + 2 * vw,
+            false if vw >= ww => 2 * vw - ends,
+            false => 0,
         };
-        let pace = largest([dot(p, v), dot(p, w) + dot(h, v), dot(h, w)]);
-        let square = largest([dot(v, v), 2 * dot(v, w), dot(w, w)]);
         let mut run = run(margin, pace, square, fine).min(most);
         if fall > 0 {
             // n/(1 + n·ε) is no less than n·(1 − n·ε), and n·ε no more than FALL.

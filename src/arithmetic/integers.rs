@@ -93,7 +93,7 @@ impl Numbers {
     /// How many pixels at most are tracked in one call. From pixel to pixel M and D are changed by an
     /// addition. The additions are exact; how far rounding of what is added can move a point is part of
     /// [`Numbers::slip`].
-    pub const MOST_PIXELS: u32 = 64;
+    pub const MOST_PIXELS: u32 = 128;
 
     /// The format for a row, given its `span`, a bound of D², and a bound of |M|.
     pub const fn new(span: f32, longest: f32, far: f32) -> Self {
@@ -122,10 +122,10 @@ impl Numbers {
     ///
     /// - In a probe, |s| is less than a sixth of 2³²: the errors of M, of a sixth of D, and of the
     ///   product s·D, which is rounded down, are less than 4 units of 2^−w together.
-    /// - In the loop, a change is rounded by half a unit of 2^−p, and of 2^−d, and added up to 64 times
+    /// - In the loop, a change is rounded by half a unit of 2^−p, and of 2^−d, and added up to 128 times
     ///   ([`Numbers::MOST_PIXELS`]); |s| is less than a quarter of 2³², and two products are
-    ///   rounded down. Beside M's 2 units of 2^−w that is 32 + (5.5 + 32)/4 + 2 units of 2^−p.
+    ///   rounded down. Beside M's 2 units of 2^−w that is 64 + (5.5 + 64)/4 + 2 units of 2^−p.
     pub const fn slip(self, slip: f32) -> f32 {
-        slip + 44.0 * power_of_two(-self.p) + 4.0 * power_of_two(-self.w)
+        slip + 84.0 * power_of_two(-self.p) + 4.0 * power_of_two(-self.w)
     }
 }

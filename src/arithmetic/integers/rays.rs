@@ -54,11 +54,10 @@ impl Rays {
         let twice = 2 * i as i32 + 1;
         // Said to be less than 32, the shift takes the compiler half of the instructions.
         let right = (self.finer + 1) & 31;
-        let sum = |x: i32, change: i32, left: i32| {
-            x.wrapping_add(((product(change, twice) << left) >> right) as i32)
-        };
+        let sum = |x: i32, change: i32, by: i32| x.wrapping_add((product(change, by) >> right) as i32);
         let ([x, y, z], [x1, y1, z1]) = (self.origin, self.origin_change);
         let ([dx, dy, dz], [dx1, dy1, dz1]) = (self.direction, self.direction_change);
-        ([sum(x, x1, 0), sum(y, y1, 0), sum(z, z1, 0)], [sum(dx, dx1, 3), sum(dy, dy1, 3), sum(dz, dz1, 3)])
+        let m = [sum(x, x1, twice), sum(y, y1, twice), sum(z, z1, twice)];
+        (m, [sum(dx, dx1, 8 * twice), sum(dy, dy1, 8 * twice), sum(dz, dz1, 8 * twice)])
     }
 }

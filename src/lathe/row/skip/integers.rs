@@ -15,7 +15,7 @@ mod motion;
 
 use super::{Above, Probing};
 use crate::arithmetic::integers::{
-    Divisor, Limits, Numbers, Rays, dot, exponent, fixed, high, power_of_two, shifted, wide,
+    Divisor, Limits, Numbers, Rays, dot, exponent, fixed, high, power_of_two, product, shifted, wide,
 };
 use crate::lathe::row::sweep::{Start, Sweep};
 use crate::lathe::segment::Segment;
@@ -175,8 +175,11 @@ impl Numbers {
         let (p, h) = ([x, y], [high(half, dx), high(half, dy)]);
         let squares = [dot(p, p), 2 * dot(p, h), dot(h, h), 0];
         let left = 2 * self.w + 2 * i32::from(wall.block) - 26;
+        // A product takes less time than a shift of 64 bits.
+        let scaled =
+            |f: i32| if (0..31).contains(&left) { product(f, 1 << left) } else { shifted(f.into(), left) };
         Cubic::new(core::array::from_fn(|i| {
-            let g = shifted(f[i].into(), left) - squares[i];
+            let g = scaled(f[i]) - squares[i];
             if is_negative { -g } else { g }
         }))
     }

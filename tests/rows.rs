@@ -171,6 +171,13 @@ fn a_sharp_waist_seen_from_within_is_that_of_single_rays() {
     random_scenes(12_950..12_951, 60, random_camera);
 }
 
+/// Parallel rays that graze the crease above a wall of 10⁻⁴: the error that a Newton step may leave, in units
+/// of the wall's height, decides what they see.
+#[test]
+fn a_crease_above_a_low_wall_is_that_of_single_rays() {
+    random_scenes(3_989..3_990, 60, random_camera);
+}
+
 #[test]
 fn random_upright_scenes_are_those_of_single_rays() {
     // An even number of columns: a row's halves may be each other's mirror image.

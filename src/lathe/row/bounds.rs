@@ -22,6 +22,13 @@ const ROOT: f32 = 1.0 / 524_288.0;
 /// sixteenth of the tolerance, see `track.rs`.
 const ADDITIONS: f32 = TOLERANCE / 16.0;
 
+/// Where parallel rays begin within the span, and at heights that vary from pixel to pixel, a probe bounds g
+/// from this part of the span before the point where its ray begins.
+///
+/// The value is a choice. If it is larger, a probe may hold for more pixels, but fails where a surface is just
+/// before that point.
+const LEAD: f32 = 1.0 / 8.0;
+
 /// A part of a row of `width` pixels: the columns from `start` to before `end`.
 pub(crate) struct RowPart {
     pub width: u32,
@@ -40,13 +47,15 @@ pub(super) struct RowBounds<'a> {
     /// Whether none of the rays comes near the solid.
     pub is_culled: bool,
     /// Whether the bounds are of use. They are not if the span is too long; if the rays begin so far away
-    /// that rounding decides; if they are parallel and begin near the solid; if they begin at the height of
-    /// an end or of a step, to within the tolerance; or if a segment has no height in the frame. Then every
-    /// pixel gets a *single ray*.
+    /// that rounding decides; if they begin at the height of an end or of a step, to within the tolerance; or
+    /// if a segment has no height in the frame. Nor are they for parallel rays that begin near the solid, at
+    /// heights that vary, and run nearly level. Then every pixel gets a *single ray*.
     pub is_usable: bool,
-    /// The s at which the rays begin. If all of them begin before the solid, at an s below −span, this is −∞
-    /// instead, and no root has to be compared with it. If it is finite, the rays of a usable row have one
-    /// origin: near the solid, inside of it, or past it.
+    /// The s from which on probes bound g. If all rays begin before the solid, at an s below −span, this is
+    /// −∞, and no root has to be compared with where they begin. If it is finite, they begin near the solid,
+    /// inside of it, or past it, at the s of −`shift`. This is the same number if all of them begin at one
+    /// height. If not, they are parallel, and this number is lower: each of the rays for which a probe holds
+    /// begins at a height that the probed ray has beyond this s.
     pub start: f32,
     /// What relates s to the distance t along a ray: `unit·t = shift + s`. `shift` is the distance from the
     /// ray's origin to where s is zero, counted like s in lengths of D; `unit` is how many of these make a t
@@ -108,8 +117,10 @@ pub(super) struct SegmentBounds {
     /// Newton step ends. Its length b has `b² ≤ ROOT·A/Q`; Kantorovich's theorem asks for `A ≥ 4·Q·b`, which
     /// follows from `A ≥ 16·Q·ROOT`.
     pub slack: f32,
-    /// ROOT/Q. A Newton step of length b with `b² ≤ newton_tolerance·A` leaves an error of `Q·b²/A` in s,
-    /// which is ROOT at most.
+    /// `ROOT/(Q·(1 + κ/1024))`, where κ is a bound of |du/ds|. A Newton step of length b with
+    /// `b² ≤ newton_tolerance·A` leaves an error of `Q·b²/A` in s. This is ROOT at most, and so small in a low
+    /// segment that the error in u is 1024·ROOT = 2⁻⁹ at most: where the root is beyond a crease at the
+    /// segment's end, the ray may meet another part of the surface.
     pub newton_tolerance: f32,
 }
 
@@ -158,11 +169,20 @@ impl<'a> RowBounds<'a> {
         let Plane { height, spread } = Plane::of(&rays, normal, frame.bounding_square + tolerance);
         let spread = spread + grid.slip;
         let (low, high) = (greater(frame.low, height - spread), lesser(frame.high, height + spread));
-        let start = if grid.begins_before { f32::NEG_INFINITY } else { -grid.shift };
+        let mut start = if grid.begins_before { f32::NEG_INFINITY } else { -grid.shift };
         let mut is_usable = grid.is_usable;
+        let mut drift = grid.drift;
         if start > f32::NEG_INFINITY {
             // Rounding must not decide on which side of the plane of an end or of a step the rays begin.
             is_usable &= !lathe.is_near_edge(rays.origin.z + start * d.z, tolerance);
+            if rays.apart == 0.0 && rays.right.z != 0.0 {
+                // The next rays begin at other heights. While a probe holds, these lie within 4/5 of the lead.
+                // The rest of it is, in height, more than 4/5 of the tolerance: so a probe knows of the plane of
+                // an end or of a step where rounding decides on which side of it a ray begins.
+                start -= LEAD * grid.span;
+                drift *= 1.25 * SPANS / LEAD;
+                is_usable &= d.z.abs() > 4.0 / LEAD * tolerance;
+            }
         }
         let is_culled = is_outside_ball || is_usable && low > high;
         let is_mirrored = grid.is_mirrored
@@ -195,7 +215,7 @@ impl<'a> RowBounds<'a> {
             steep,
             max_convexity: q / (steep * steep),
             rising: has_one_side.then_some(d.z > 0.0),
-            drift: grid.drift,
+            drift,
             slip: grid.slip,
             tolerance,
             knot_tolerance: if frame.has_rings { tolerance } else { 0.0 },
@@ -230,8 +250,13 @@ impl RowBounds<'_> {
         // A bound of |g″/2| along any of the rays.
         let most = self.longest + segment.curvature * (self.steep * self.steep);
         let slack = 2.0 * Native::sqrt(self.longest * tolerance) + 16.0 * ROOT * most;
+        let low = segment.per_height * self.steep / 1024.0;
         let least_slope = self.least_slope * (1.0 + 0.5 * segment.max_slope);
-        SegmentBounds { tolerance, slack: greater(slack, least_slope), newton_tolerance: ROOT / most }
+        SegmentBounds {
+            tolerance,
+            slack: greater(slack, least_slope),
+            newton_tolerance: ROOT / (most + most * low),
+        }
     }
 
     /// A bound of the difference, in t, between the distance of a tracked root or of a cap and the distance

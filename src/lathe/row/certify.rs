@@ -131,17 +131,19 @@ impl Sweep<'_> {
 
     /// The slope above which a tracked root is certain to lie behind the point where the rays begin by more
     /// than the tolerance divided by the slope. It is zero if the rays begin before the solid. If they begin
-    /// near it, they do so at one height: then the slope is infinite, unless all of the root's segment lies
-    /// beyond that height.
+    /// near it, the slope is infinite, unless all of the root's segment lies beyond the heights at which they
+    /// do.
     #[inline(always)]
     fn clear_slope(&self, rises: bool, tolerance: f32) -> f32 {
         let Self { bounds, root, .. } = self;
         if bounds.start == f32::NEG_INFINITY {
             return 0.0;
         }
-        let RayRow { origin, direction, .. } = &self.direction.rays;
-        let height = origin.z + bounds.start * direction.z;
+        let RayRow { origin, direction, right, at, apart } = &self.direction.rays;
+        let height = origin.z - bounds.shift * direction.z;
+        let change = right.z * (at - bounds.shift * apart);
         let beyond = if rises { root.segment.low - height } else { height - root.segment.high };
+        let beyond = beyond - self.direction.len as f32 * change.abs();
         if beyond > bounds.tolerance {
             tolerance * bounds.steep / (beyond - bounds.tolerance)
         } else {
@@ -271,7 +273,7 @@ impl Sweep<'_> {
         let Segment { f: [_, f1, f2, f3], low, high, .. } = *self.root.segment;
         let own = &self.root.own;
         let Certificate { slope: certain, bump, .. } = self.root.certificate;
-        if !((s - self.bounds.start) * slope > own.tolerance) {
+        if !((s + self.bounds.shift) * slope > own.tolerance) {
             return false;
         }
         if slope > certain {

@@ -75,7 +75,7 @@ pub(crate) struct RayGrid {
     right: F32x3,
     up: F32x3,
     at: f32,
-    apart: f32,
+    pub apart: f32,
     /// Whether the bounds are of use, as far as that is the same for all rows.
     pub is_usable: bool,
     /// Whether the rays begin before the solid, at an s below −`span`.
@@ -169,10 +169,8 @@ impl RayGrid {
         let begins_before = back > span + slip;
         let height_change = (at.abs() + span * apart) * right.z.abs();
         let most_span = if half_rows > 0.0 { MOST_SPAN * frame.size } else { f32::MAX };
-        let is_usable = span <= most_span
-            && TOLERANCE + 2.0 * slip < MOST_TOLERANCE
-            && (begins_before || rays.rough == 0.0)
-            && frame.max_slope < f32::INFINITY;
+        let is_usable =
+            span <= most_span && TOLERANCE + 2.0 * slip < MOST_TOLERANCE && frame.max_slope < f32::INFINITY;
 
         let (mut place, mut place_change) = (0.0, 0.0);
         if half_rows > 0.0 {

@@ -117,8 +117,9 @@ impl Sweep<'_> {
         let numbers = self.bounds.numbers;
         let margin = numbers.upper_bound(self, path, sign, interval, last)?;
         let start = numbers.start(self, path);
-        if interval == (start, start) {
-            // The interval is the one point where all rays begin: so sign·g is the same for all of them.
+        if interval == (start, start) && self.direction.rays.apart != 0.0 {
+            // The interval is the one point where all rays begin, since they are not parallel: so sign·g is the
+            // same for all of them.
             return Ok(u32::MAX);
         }
         Ok((i + 1).saturating_add(numbers.certified_run(self, i, path, sign, margin, interval)))
@@ -126,8 +127,8 @@ impl Sweep<'_> {
 
     /// An interval of s along a ray. It contains the point of this ray at every height at which this ray, or
     /// any of the next rays that a probe of this ray certifies, can meet the solid. If there is no such
-    /// height, it is empty: its end comes before its begin. It begins where the rays begin, if that is later:
-    /// at one point, and so at one height, for all of them.
+    /// height, it is empty: its end comes before its begin. It begins where the rays begin, if that is later and
+    /// at one height for all of them; if their heights vary, it begins before that.
     pub(super) fn interval(&self, path: &Path) -> (Distance, Distance) {
         self.bounds.numbers.interval(self, path)
     }

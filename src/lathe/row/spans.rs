@@ -2,7 +2,7 @@
 
 use super::certify::Certification;
 use super::skip::Probe;
-use super::sweep::{NEWTON_STEPS, RETRY, Span, Start, Sweep, TrackEnd};
+use super::sweep::{NEWTON_STEPS, RETRY, Span, Start, Sweep, TrackEnd, WORK};
 use crate::hit::{Hit, Part};
 use core::ptr;
 
@@ -30,16 +30,14 @@ impl Sweep<'_> {
                 self.resume(i, TrackEnd::Limit);
                 continue;
             }
-            if !self.bounds.is_usable {
+            if !self.bounds.is_usable || self.root.is_spent(i) {
                 return Span::Single;
             }
             if let Some(span) = self.flat_span(i) {
                 return span;
             }
             if self.root.probed == i {
-                if !self.root.is_spent(i) {
-                    self.root.spent = self.root.spent.max(i) + RETRY;
-                }
+                self.root.spend(RETRY);
                 return Span::Single;
             }
             if let Probe::Misses { to } = self.search(i) {
@@ -54,6 +52,7 @@ impl Sweep<'_> {
     #[inline(never)]
     fn search(&mut self, i: u32) -> Probe {
         self.root.probed = i;
+        self.root.spend(WORK);
         // The left half begins with the place that the last probe of the right half left in `start`, without
         // a probe of its own. Most often that is where the right half began to track a root.
         let probe = match self.root.start {
@@ -104,7 +103,9 @@ impl Sweep<'_> {
             TrackEnd::Uncertified | TrackEnd::Diverged => usize::MAX,
         };
         root.tries -= 1;
+        root.spend(WORK);
         if root.tries > 0
+            && !root.is_spent(i)
             && let Some(segment) = segments.get(index)
         {
             root.index = index;

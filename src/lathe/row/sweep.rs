@@ -26,9 +26,13 @@ pub(super) const NEWTON_STEPS: u8 = 4;
 /// single ray, one of this many begins to track the root that it finds.
 pub(super) const RETRY: u32 = 4;
 
+/// How many pixels a probe counts for there, and how many a search for a certificate does. So a row in which
+/// these serve for less than two pixels each gives up. The value is a choice.
+pub(super) const WORK: u32 = 2;
+
 /// How far ahead of the row's pixels [`TrackedRoot::spent`] may be. The value is a choice: it is that of a
-/// dozen single rays, more than there are at a silhouette.
-const PATIENCE: u32 = 48;
+/// ten single rays, more than there are at a silhouette.
+const PATIENCE: u32 = 40;
 
 /// Neighbouring pixels that are computed in the same way. The span begins with the i-th pixel, the one that
 /// [`Sweep::next`] was asked for; `to` is the pixel after the last one.
@@ -112,8 +116,9 @@ pub(super) struct TrackedRoot<'a> {
     /// The pixel that is not to be probed, because that has been done or would find no more; `u32::MAX` if
     /// there is none.
     pub probed: u32,
-    /// [`RETRY`] pixels more for each single ray, counted from the pixel that the row was at. Where this is
-    /// far ahead, single rays find roots that cannot be tracked, at a wall as low as a ring, for example.
+    /// [`RETRY`] pixels for each single ray of this half of the row, and [`WORK`] for each probe and for each
+    /// search for a certificate. Where this is far ahead of the pixel that the row is at, they serve for too
+    /// few pixels: at a wall as low as a ring, for example, or along steep rays at many segments.
     pub spent: u32,
     /// The number of the knot on whose plane the next pixels may see a cap or a ring; `usize::MAX` if there
     /// is none.
@@ -190,10 +195,16 @@ impl<'a> TrackedRoot<'a> {
         }
     }
 
-    /// Whether the pixels before the i-th were single rays too often: then a root that the i-th pixel's ray
+    /// Whether the pixels before the i-th took too much: then the i-th gets a single ray, and a root that it
     /// finds is not tracked.
     pub fn is_spent(&self, i: u32) -> bool {
-        self.spent > i.saturating_add(PATIENCE)
+        self.spent > i.wrapping_add(PATIENCE)
+    }
+
+    /// Counts some pixels more in [`TrackedRoot::spent`].
+    #[inline(always)]
+    pub fn spend(&mut self, pixels: u32) {
+        self.spent = self.spent.wrapping_add(pixels);
     }
 
     /// Begins to track a root near a place. It has no certificate yet: that of the last root is ended. If the

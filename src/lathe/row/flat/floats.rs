@@ -32,7 +32,7 @@ impl Numbers {
         let (x, y) = (m.x + s * d.x, m.y + s * d.y);
         let toward = -flat.up * d.z;
         let from_rims = flat.half - (x * x + y * y - flat.middle).abs();
-        let clear = lesser(from_rims, s - sweep.bounds.start) * toward;
+        let clear = lesser(from_rims, s + sweep.bounds.shift) * toward;
         (clear > sweep.bounds.tolerance && 2.0 * toward >= sweep.bounds.least_slope).then_some(Length(s))
     }
 }

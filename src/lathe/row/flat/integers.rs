@@ -23,7 +23,7 @@ impl Numbers {
             outer: wide(outer, 2 * self.w),
             tolerance: wide(bounds.tolerance, 28 + self.d),
             least: fixed(bounds.least_slope, self.d - 1),
-            start: fixed(bounds.start, self.w + 32 - self.d),
+            start: fixed(-bounds.shift, self.w + 32 - self.d),
             up,
         }
     }

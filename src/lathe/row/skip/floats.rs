@@ -25,7 +25,7 @@ impl Numbers {
         LocalRay::through(m, d)
     }
 
-    /// Where the rays begin: [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
+    /// Where probes begin: [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
     #[inline(always)]
     pub(in crate::lathe::row) fn start(self, sweep: &Sweep, _path: &LocalRay) -> f32 {
         sweep.bounds.start

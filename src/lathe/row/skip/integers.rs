@@ -80,7 +80,7 @@ impl Numbers {
         Path { rays, m, d, per_dz: Divisor::new(dz), nearest, bits }
     }
 
-    /// Where the rays begin: [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
+    /// Where probes begin: [`RowBounds::start`](crate::lathe::row::bounds::RowBounds::start).
     #[inline(always)]
     pub(in crate::lathe::row) fn start(self, _sweep: &Sweep, path: &Path) -> i32 {
         path.rays.limits.start

@@ -4,8 +4,12 @@ use crate::arithmetic::floats::{Length, Normal, Numbers, Rays};
 use crate::lathe::row::sweep::{NEWTON_STEPS, Sweep, TrackEnd};
 use crate::lathe::segment::Segment;
 use crate::math::cold_path;
-use crate::math::minmax::greater;
+use crate::math::minmax::{greater, lesser};
 use crate::vector::{F32x3, dot_xy, vector};
+
+/// The part of a segment's height, at either end, in which a root where the ray enters the solid may be left
+/// undecided. The value is a choice: each of these pixels is a single ray.
+const LOW: f32 = 1.0 / 1024.0;
 
 impl Numbers {
     /// [`Sweep::track`] in floats.
@@ -34,9 +38,11 @@ impl Numbers {
         let newton_tolerance = root.own.newton_tolerance;
         // A root is undecided if its height is within the tolerance of an end or of a step. A root where the
         // ray leaves the solid is also undecided within the slip of any other knot: at a sharp waist,
-        // rounding decides whether the ray leaves there.
+        // rounding decides whether the ray leaves there. So is one where it enters, at a crease seen edge on,
+        // but in a low segment only in a small part of its height.
         let pad = bounds.tolerance * segment.per_height;
-        let slip = if sign < 0.0 { bounds.slip } else { 0.0 };
+        let slip =
+            if sign < 0.0 { bounds.slip } else { lesser(bounds.slip, LOW * (segment.high - segment.low)) };
         let knot_pad = greater(bounds.knot_tolerance, slip) * segment.per_height;
         let from = (if root.index == 0 { pad } else { knot_pad }).to_bits();
         let to_end = if root.index + 1 == bounds.lathe.segments.len() { pad } else { knot_pad };

@@ -15,7 +15,8 @@ mod wall;
 
 pub(crate) use divisor::{Divisor, narrowed, square_root};
 pub(crate) use fixed::{
-    dot, exponent, fixed, fixed_vector, high, power_of_two, product, shifted, wide, wide_square,
+    dot, exponent, fixed, fixed_vector, high, leading_zeros, power_of_two, product, shifted, wide,
+    wide_square,
 };
 pub(crate) use inverse::inverse;
 pub(crate) use inverse_root::{inverse_root, square};

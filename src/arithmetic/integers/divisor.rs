@@ -1,6 +1,6 @@
 //! Quotients and roots of wide integers.
 
-use super::inverse_root;
+use super::{inverse_root, leading_zeros};
 
 /// A number to divide by, held as its inverse. Zero counts as 1.
 #[derive(Clone, Copy)]
@@ -22,7 +22,7 @@ impl Divisor {
     #[inline(never)]
     pub fn new(divisor: i32) -> Self {
         let magnitude = divisor.unsigned_abs().max(1);
-        let left = magnitude.leading_zeros();
+        let left = leading_zeros(magnitude);
         let high = magnitude << left;
         // Its highest bit is set already: that the compiler sees it spares a test for zero, which would
         // panic.
@@ -47,7 +47,7 @@ impl Divisor {
         if magnitude == 0 {
             return 0;
         }
-        let left = magnitude.leading_zeros();
+        let left = leading_zeros(magnitude);
         let high = (magnitude << left) >> 1;
         let quotient = ((u64::from(high) * u64::from(self.inverse)) >> 32) as i32;
         let right = 30 + left as i32 - self.left - bits;
@@ -65,7 +65,9 @@ impl Divisor {
 /// A number without its last bits, so that it has 31 or less and a sign; and how many bits these are.
 #[inline(never)]
 fn upper(number: i64) -> (i32, i32) {
-    let right = 33_u32.saturating_sub(number.unsigned_abs().leading_zeros());
+    let magnitude = number.unsigned_abs();
+    let (high, low) = ((magnitude >> 32) as u32, magnitude as u32);
+    let right = if high > 0 { 33 - leading_zeros(high) } else { low >> 31 };
     ((number >> right) as i32, right as i32)
 }
 
@@ -83,14 +85,14 @@ pub(crate) fn square_root(square: i64) -> i32 {
     root >> (left / 2 - 1)
 }
 
-/// Shifts four numbers to the right, all by the same number of bits, four at least, so that none exceeds 2²⁸ in
+/// Shifts four numbers to the right, all by the same number of bits, five at least, so that none exceeds 2²⁸ in
 /// magnitude. Returns them, rounded down, and the number of bits.
 #[inline(never)]
 pub(crate) fn narrowed(numbers: [i64; 4]) -> ([i32; 4], u32) {
     // Of upper words alone: the compiler takes many instructions for a shift of 64 bits by any number of them.
     let most =
         numbers.iter().map(|number| (number >> 32) as i32).fold(0, |most, high| most | high ^ (high >> 31));
-    let left = (most.leading_zeros() - 1).min(31);
+    let left = (leading_zeros(most as u32) - 1).min(30);
     let narrow = |number: i64| {
         let (high, low) = ((number >> 32) as u32, number as u32);
         (high << left | low >> 1 >> (31 - left)) as i32 >> 3

@@ -25,7 +25,8 @@ mod share;
 pub(crate) use limits::RowLimits;
 pub(crate) use share::Share;
 
-// Names that are imported one by one, as those of the integers are, come before those of a `*`.
+// A name that is imported by itself hides the same name from a `*`: where the integers are imported, they
+// take the place of the floats.
 #[allow(unused_imports)]
 pub(crate) use floats::*;
 #[cfg(any(
@@ -66,8 +67,9 @@ mod tests {
         }
     }
 
-    /// The light on a sample, in both. In floats an inverse root is within 10⁻⁶; so is a cosine. A highlight
-    /// has five times that, and half its exponent times as large an error. Integers are closer.
+    /// Both arithmetics find the same light on a sample, to within an error. In floats an inverse root and a
+    /// cosine are off by 10⁻⁶ at most, a highlight by five times that times half its exponent. The errors of
+    /// integers are smaller.
     #[test]
     fn light_is_that_of_floats() {
         let mut even = Even(1995);

@@ -16,15 +16,15 @@ enum Join {
 
 /// Whether sheets are proven to be a shell: the first an outer one, all others inner ones, its hollows. A
 /// hollow is narrower than the outer sheet at all heights. At each end it is closed, clear of the ends of the
-/// outer sheet and of other hollows, or it ends where the outer sheet does, in the same circle. So does one
-/// hollow at each end of the outer sheet that is not closed.
+/// outer sheet and of other hollows, or it ends where the outer sheet does, in the same circle. At each end
+/// of the outer sheet that is not closed, one hollow ends in the latter way.
 ///
 /// Then the sheets close the material off. Of a ray that begins beyond all of them the first crossing, if any,
 /// enters the material: there the ray enters the outer sheet, or it leaves a hollow, into which it came by an
 /// open end. And of the first crossings with each sheet, no other one is of that kind. For where a ray comes
 /// into a hollow by an open end, it passes the plane of that end, which is the outer sheet's as well: before,
-/// it was beyond all sheets, and now it is within the outer sheet, which it next leaves. Into another hollow
-/// it would come by the other end, from beyond that.
+/// it was beyond all sheets, and now it is within the outer sheet, which it next leaves. The open end of
+/// another hollow would be the outer sheet's other end, whose plane this ray passes only outwards.
 pub(crate) const fn is_shell(sheets: &[Sheet]) -> bool {
     let [outer, hollows @ ..] = sheets else { return false };
     if outer.is_inner() || hollows.is_empty() {
@@ -56,7 +56,8 @@ pub(crate) const fn is_shell(sheets: &[Sheet]) -> bool {
     is_closed[0] && is_closed[1]
 }
 
-/// How a hollow's upper end, or its lower one, and that of the outer sheet lie. `None` in any other case.
+/// How a hollow's upper end, or its lower one, is joined to that end of the outer sheet; `None` if in no way
+/// of [`Join`].
 const fn join(hollow: &Lathe, outer: &Lathe, is_upper: bool) -> Option<Join> {
     let (own, other) = (hollow.rim(is_upper), outer.rim(is_upper));
     let gap = if is_upper { other.z - own.z } else { own.z - other.z };

@@ -2,8 +2,8 @@
 
 use super::integers::high;
 
-/// A number from 0 to 1 in fixed point, in units of 2⁻³⁰. It is a signed integer, since it is multiplied as
-/// one.
+/// A number from 0 to 1, or a sum of such numbers that is less than 2, in fixed point: in units of 2⁻³⁰. It
+/// is a signed integer, since it is multiplied as one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Share(i32);
 

@@ -21,8 +21,8 @@ impl Lathe {
         Rim { z: z / scale, wall: end.wall / (scale * scale), beyond: end.beyond / (scale * scale) }
     }
 
-    /// 2⁻¹² of what is 1 in the frame. In a row of pixels, roots nearer to an end than this are found by
-    /// single rays.
+    /// 2⁻¹² of the length that is 1 in the frame. In a row of pixels, roots nearer to an end than this are
+    /// found by single rays.
     pub(crate) const fn clearance(&self) -> f32 {
         1.0 / (4096.0 * self.frame.scale)
     }
@@ -35,7 +35,7 @@ impl Lathe {
     ///
     /// Where a segment of one shares heights with a segment of the other, the difference of their squared
     /// radii is a cubic. It is no less than the least of its Bernstein ordinates there. If the first of them
-    /// is zero, it grows from there as three times the second.
+    /// is zero, the cubic's slope there is three times the second, divided by the height that is shared.
     pub(crate) const fn is_within(&self, outer: &Lathe, edges: [bool; 2]) -> bool {
         // In spare capacity are segments that share no heights with any.
         let mut segments: &[Segment] = &self.segments;
@@ -52,7 +52,8 @@ impl Lathe {
         true
     }
 
-    /// Whether that is so at the heights that a segment of this lathe shares with one of `outer`.
+    /// Whether what [`Lathe::is_within`] asks for holds at the heights that the segment `own` of this lathe
+    /// shares with the segment `other` of `outer`. If they share no height, it does.
     const fn clears(&self, own: &Segment, outer: &Lathe, other: &Segment, edges: [bool; 2]) -> bool {
         let (scale, outer_scale) = (self.frame.scale, outer.frame.scale);
         let from = greater(own.low / scale, other.low / outer_scale);

@@ -11,7 +11,7 @@
 pub(super) fn root(x: f32) -> f32 {
     const ONE: u32 = 1 << 23;
     let bits = x.to_bits();
-    // Zero, infinity and NaN; of negative numbers all.
+    // Zeros, +∞, NaN and all negative numbers.
     if bits.wrapping_sub(1) >= f32::INFINITY.to_bits() - 1 {
         return if bits > (-0.0_f32).to_bits() { f32::NAN } else { x };
     }
@@ -26,10 +26,11 @@ pub(super) fn root(x: f32) -> f32 {
         }
         exponent += 1;
     }
-    // Without an even power of two x is from 1/4 to 1, in units of 2⁻³².
+    // x divided by an even power of two, so that it is from 1/4 to less than 1, in units of 2⁻³².
     let x = rest << (7 + ((exponent + 1) & 1));
     let high = x >> 16;
-    // 1/√x, in units of 2⁻¹⁴: from 2.17 − 1.25·x, which is within 9.3 %, by y ← y·(3 − x·y²)/2.
+    // 1/√x, in units of 2⁻¹⁴: from 2.17 − 1.25·x, which is within 9.3 %, by three Newton steps
+    // y ← y·(3 − x·y²)/2.
     let mut y = 35_553 - (high >> 2) - (high >> 4);
     for _ in 0..3 {
         y = (y * ((3 << 14) - ((high * ((y * y) >> 13)) >> 17))) >> 15;

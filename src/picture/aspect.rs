@@ -20,7 +20,7 @@ pub(super) struct Aspect {
 }
 
 impl Aspect {
-    /// That of the first sheet of a solid.
+    /// The aspect of the first sheet of a solid in a scene's picture of `width` columns and `height` rows.
     const fn new(solid: &Solid, scene: &Scene, width: u32, height: u32) -> Self {
         let row = Row { camera: &scene.camera, y: 0, width, height };
         let half_rows = 0.5 * height as f32;
@@ -32,7 +32,7 @@ impl Aspect {
 }
 
 /// The rays, at a sheet of a solid, of the rows up to `half_rows` above and below the row y, which may be a
-/// fraction. None of these has origins with larger coordinates than `row`.
+/// fraction. The [bound](Row::origin_bound) of `row` must hold for the origins of all these rays.
 // Without a hint: in a build for size flash contains it only once.
 pub(super) const fn grid(solid: &Solid, lathe: &Lathe, row: &Row, y: f32, half_rows: f32) -> RayGrid {
     let (camera, half_columns) = (row.camera, 0.5 * row.width as f32);
@@ -51,23 +51,23 @@ pub(super) const fn grid(solid: &Solid, lathe: &Lathe, row: &Row, y: f32, half_r
     })
 }
 
-/// The ray of a column of row y of a picture in a solid's own space; both may be fractions. Not inline: what
-/// it computes would stay on the stack of those that cast it.
+/// The ray of a column of row y of a picture in a solid's own space; both may be fractions. Not inline:
+/// what the function computes would stay on the stack of its callers.
 #[inline(never)]
 pub(super) const fn ray(solid: &Solid, row: &Row, column: f32, y: f32) -> Ray {
     solid.ray_into(&row.ray(column, y))
 }
 
-/// The aspects of a picture's first solids, of a body that of its first sheet: as many as the arithmetic
-/// keeps.
+/// The aspects of the first solids of a picture, as many as the arithmetic keeps. For a body it is the aspect
+/// of its first sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Aspects([Aspect; KEPT]);
 
 impl Aspects {
-    /// Those of a scene's picture of the given numbers of columns and rows.
+    /// The aspects in a scene's picture of `width` columns and `height` rows.
     #[inline(always)]
     pub const fn of(scene: &Scene, width: u32, height: u32) -> Self {
-        // All bits of this are zero: else flash would hold it, too.
+        // All bits of `none` are zero: else flash would hold a copy of the array.
         let none = Aspect { grid: RayGrid::NONE, to_light: ToLight::NONE, mirrored: ToLight::NONE };
         let mut aspects = Self([none; KEPT]);
         let mut i = 0;
@@ -78,8 +78,8 @@ impl Aspects {
         aspects
     }
 
-    /// That of the first sheet of the scene's solid with an index, if it is kept and its bounds are of use:
-    /// those of one row may be where those of a picture are not.
+    /// The aspect of the scene's solid with this index. `None` if it is not kept, or if the bounds of its
+    /// rays are of no use for the picture as a whole; those of one row may still be.
     #[inline(always)]
     pub(super) fn get(&self, index: usize) -> Option<&Aspect> {
         self.0.get(index).filter(|aspect| aspect.grid.is_usable)
@@ -89,6 +89,6 @@ impl Aspects {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Aspects {
     fn format(&self, _: defmt::Formatter) {
-        // It follows from the scene.
+        // The aspects follow from the scene, so that they are not written.
     }
 }

@@ -17,8 +17,7 @@ use core::ptr;
 /// The pixels of a run, and for each the distance of what was painted before.
 pub(super) struct Depths<'a, C> {
     pub run: &'a mut [C],
-    /// The distance of the nearest sheet so far, for each pixel, negated if it is exact: infinite if there is
-    /// none.
+    /// The distance of the nearest sheet so far, for each pixel, negated if it is exact; +∞ if there is none.
     nearest: &'a mut [f32],
     block: Block<'a>,
     /// Twice a bound of the error of any distance that a sweep has found, of this sheet and those before it.
@@ -36,8 +35,8 @@ pub(super) struct Block<'a> {
 }
 
 impl<'a, C: Paint> Depths<'a, C> {
-    /// The pixels `run` before anything of the block is painted on them. `nearest` is memory for their
-    /// distances, each of which is to be infinite.
+    /// The depths of the pixels `run` before a sheet of the block is painted on them. `nearest` is memory for
+    /// their distances, each of which must be +∞.
     #[inline(always)]
     pub fn new(run: &'a mut [C], nearest: &'a mut [f32], block: Block<'a>) -> Self {
         Self { run, nearest, block, margin: 0.0, scale: Scale::default() }

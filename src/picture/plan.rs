@@ -13,7 +13,7 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    /// That of a scene's picture of the given numbers of columns and rows. Not inline: while this function
+    /// The plan of a scene's picture of `width` columns and `height` rows. Not inline: while this function
     /// runs, the stack holds the result twice.
     #[inline(never)]
     pub const fn of(scene: &Scene, width: u32, height: u32) -> Self {

@@ -21,7 +21,7 @@ pub(super) struct SolidRays<'a> {
     pub solid: &'a Solid<'a>,
     pub sheet: &'a Sheet<'a>,
     pub row: &'a Row<'a>,
-    /// Their directions.
+    /// The directions of these rays; of no use if the solid is matt.
     pub views: Views,
 }
 
@@ -76,8 +76,9 @@ impl SolidRays<'_> {
     }
 }
 
-/// The first hit of a sheet by a ray in its solid's own space, or `None` if it misses. The ray's traversal
-/// finds it: so does [`Solid::nearest`] for a body, and for a ray that the fast path leaves undecided.
+/// The first hit of a sheet by a ray in its solid's own space, or `None` if it misses. The hit is found by
+/// the traversal of segments, as [`Solid::nearest`] finds it for a body, and for a ray that the fast path
+/// leaves undecided.
 #[inline(never)]
 fn nearest(sheet: &Sheet, ray: &Ray) -> Option<Hit> {
     sheet.lathe().nearest_by::<Newton>(ray, 0.0)

@@ -24,15 +24,15 @@ impl Divisor {
         let magnitude = divisor.unsigned_abs().max(1);
         let left = leading_zeros(magnitude);
         let high = magnitude << left;
-        // Its highest bit is set already: that the compiler sees it spares a test for zero, which would
-        // panic.
+        // The highest bit is set already. That it is set here, too, shows the compiler that the divisor is
+        // not zero: it leaves out a test that could panic.
         let guess = (u32::MAX / (high >> 16 | 1 << 15)) << 15;
         let rest = (1 << 31) - ((u64::from(high) * u64::from(guess)) >> 32) as i64;
         let inverse = (i64::from(guess) + ((i64::from(guess) * rest) >> 31)).min(u32::MAX.into());
         Self { inverse: inverse as u32, left: left as i32, is_negative: divisor < 0 }
     }
 
-    /// The same for a wide divisor.
+    /// The same for a divisor of 64 bits.
     pub fn wide(divisor: i64) -> Self {
         let (divisor, right) = upper(divisor);
         let narrow = Self::new(divisor);
@@ -55,14 +55,15 @@ impl Divisor {
         if (number < 0) != self.is_negative { -quotient } else { quotient }
     }
 
-    /// The same for a wide number.
+    /// The same for a number of 64 bits.
     pub fn of_wide(&self, number: i64, bits: i32) -> i32 {
         let (number, right) = upper(number);
         self.of(number, bits + right)
     }
 }
 
-/// A number without its last bits, so that it has 31 or less and a sign; and how many bits these are.
+/// A number shifted to the right, rounded down, so that at most 31 bits and the sign remain; and by how many
+/// bits it is shifted, which is zero if so few remain anyway.
 #[inline(never)]
 fn upper(number: i64) -> (i32, i32) {
     let magnitude = number.unsigned_abs();
@@ -78,7 +79,7 @@ pub(crate) fn square_root(square: i64) -> i32 {
     if square <= 0 {
         return 0;
     }
-    // An even number, at least 2: afterwards the highest bit is bit 60 or 61.
+    // `left` is even, and at least 2. After the shift the highest bit is bit 60 or 61.
     let left = (square.leading_zeros() - 2) & !1;
     let quarter = ((square << left) >> 32) as i32;
     let root = ((i64::from(quarter) * i64::from(inverse_root(quarter))) >> 29) as i32;
@@ -89,7 +90,8 @@ pub(crate) fn square_root(square: i64) -> i32 {
 /// magnitude. Returns them, rounded down, and the number of bits.
 #[inline(never)]
 pub(crate) fn narrowed(numbers: [i64; 4]) -> ([i32; 4], u32) {
-    // Of upper words alone: the compiler takes many instructions for a shift of 64 bits by any number of them.
+    // Only the upper words decide `left`, and words are shifted: the compiler takes many instructions for a
+    // shift of 64 bits by a variable number.
     let most =
         numbers.iter().map(|number| (number >> 32) as i32).fold(0, |most, high| most | high ^ (high >> 31));
     let left = (leading_zeros(most as u32) - 1).min(30);

@@ -109,7 +109,7 @@ pub(crate) const fn fixed(x: f32, bits: i32) -> i32 {
 }
 
 /// The number x in units of 2^−`bits`, its magnitude rounded down. In place of a magnitude beyond 2⁶¹ units
-/// any of 2⁶¹ or more may be returned, with the sign of x.
+/// it may return any magnitude of 2⁶¹ units or more, with the sign of x.
 // As in `fixed`, the mantissa of zero and of a subnormal x is below half a unit.
 #[inline(never)]
 pub(crate) fn wide(x: f32, bits: i32) -> i64 {
@@ -155,7 +155,7 @@ pub(crate) const fn power_of_two(e: i32) -> f32 {
 mod tests {
     use super::{exponent, fixed, high, power_of_two};
 
-    /// Products of halves, as on ARMv6-M, and whole ones.
+    /// The function for the machine that runs the test: on ARMv6-M products of halves, elsewhere whole ones.
     #[test]
     fn the_high_word_is_that_of_the_product() {
         for a in [0, 1, -1, 77, -123_456, 0x7fff_ffff, -0x8000_0000, 0x1234_5678, -0x7654_ffff] {

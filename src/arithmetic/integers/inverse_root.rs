@@ -27,11 +27,12 @@ pub(super) static GUESSES: [u8; 128] = {
 /// A Newton step is `y ← y + y·r/2` with the residual `r = 1 − x·y²`; it makes the relative error e of y
 /// 3/2·e². The guess is off by 2⁻⁷ where x is least, for that much 1/√x changes in half an interval, and
 /// by 2⁻⁹ because it is rounded: together by less than 0.01. The first step makes that 1.5·10⁻⁴, the
-/// second less than 2⁻²⁴·⁸, and rounding adds less than 2⁻²⁵.
+/// second less than 2⁻²⁴·⁸, by which y is too small. Rounding makes y larger by less than 2⁻²⁵ of it, or
+/// smaller by less than 2⁻²⁶.
 #[inline(always)]
 pub(crate) fn inverse_root(x: i32) -> i32 {
     let step = |y: i32| {
-        // 30 + 1 + 26 − 32 bits behind the point; 26 are those of y².
+        // The residual has 30 + 1 + 26 − 32 = 25 bits behind the point; the 26 are those of y².
         let rest = (1 << 25) - high(x << 1, high(y, y));
         y + (high(y, rest << 4) << 2)
     };

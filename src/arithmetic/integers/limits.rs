@@ -24,7 +24,7 @@ pub(crate) struct Limits {
 }
 
 impl Numbers {
-    /// What is known of a row's rays, each number rounded to the nearest.
+    /// What is known of a row's rays, the numbers of 32 bits rounded to the nearest, those of 64 bits down.
     pub(super) fn limits(self, of: &RowLimits) -> Limits {
         let Self { d, p, w, .. } = self;
         Limits {

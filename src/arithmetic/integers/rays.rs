@@ -21,6 +21,7 @@ pub(crate) struct Rays {
     /// changes by at most twice the bound of M over the number of pixels, the direction by at most twice the
     /// bound of |D| over it: so no change exceeds 2³¹ units.
     pub finer: i32,
+    /// What is known of all of these rays.
     pub limits: Limits,
 }
 

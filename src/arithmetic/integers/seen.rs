@@ -106,12 +106,12 @@ impl Direction {
     /// length counts as 1/2.
     fn new(mut along: [i32; 3]) -> Self {
         let mut square = square(along);
-        // From 2⁵⁸ to 2⁶⁰: the length is from 2²⁹ to 2³⁰, that is from 1/2 to 1. So is the largest component
-        // at most.
+        // With a square from 2⁵⁸ to 2⁶⁰ the length is from 2²⁹ to 2³⁰ units, that is from 1/2 to 1. No
+        // component is larger than the length.
         while square < 1 << 58 && square > 0 {
             (along, square) = (along.map(|x| x << 1), square << 2);
         }
-        // Zero is no direction; it is given a length.
+        // A zero vector has no direction; its length counts as 1/2.
         let square = square.clamp(1 << 58, (1 << 60) - 1);
         let square = (square >> 30) as i32;
         Self { along, per_length: inverse_root(square) }
@@ -127,11 +127,12 @@ impl Direction {
     }
 }
 
-/// What the loop of a tracked root finds of a visible sample: all of it.
+/// What the loop of a tracked root finds of a visible sample: here the sample itself, with the length of its
+/// normal. (In floats it leaves that length to be computed later.)
 pub(crate) type Normal = Seen;
 
 impl Seen {
-    /// The sample itself.
+    /// Returns the sample itself. (In floats, the sample that has this normal.)
     #[inline(always)]
     pub fn seen(&self) -> Self {
         *self
@@ -209,7 +210,8 @@ impl Views {
         }
         let (normal, view) = (seen.direction, self.of(column));
         // r·v, where r is the light's direction mirrored at the normal, and v the direction towards the eye.
-        // All have 28 bits, but n·v, which has 27, since those of a direction are 30, not 31.
+        // Scalar products have 28 bits behind the point, except n·v, which has 27: the second vector of this
+        // one is a direction, whose components have 30 bits, not 31.
         let nv = high(normal.dot(view.along) << 3, view.per_length);
         let rv = view.dot(to_light.unit) - (high(cosine << 2, nv << 3) << 1);
         let (mut x, mut product, mut exponent) = (Cosine(rv).positive(), i32::MAX, gloss.exponent);

@@ -26,15 +26,15 @@ impl Wall {
     /// The cubic of a segment with the coefficients f in powers of u, and with `per_height`, one over its
     /// height.
     pub const fn new(f: [f32; 4], per_height: f32) -> Self {
-        // 1/h is less than 2^e; so h is more than 2^−e, and at most twice that: it is that if the mantissa of
-        // 1/h is 1.
+        // 1/h is less than 2^e, and at least half of it; so h is more than 2^−e, and at most 2^(1 − e). It is
+        // 2^(1 − e) if the mantissa of 1/h is 1: then 2^height must be the next power of two.
         let is_power = per_height.to_bits() << 9 == 0;
         let height = 1 - exponent(per_height) + is_power as i32;
         let per_height = fixed(per_height, 29 + height);
         let [c0, c1, c2, c3] = f;
         let most = c0.abs().max(c1.abs()).max(c2.abs().max(c3.abs()));
-        // |c| < 2²⁴ units; about the middle the largest coefficient is at most eight times that, and the sum
-        // less than 2³⁰.
+        // |c| < 2²⁴ units. About the middle the coefficients are at most 1.875, 5.5, 10 and 8 times that. So
+        // the sum is less than 52 times that, and less than 2³⁰.
         let fine = 24 - exponent(most);
         let sum = sum(about_middle(f, per_height, fine));
         let excess = 32 - sum.leading_zeros() as i32 - fine + 26 - 30;
@@ -42,7 +42,7 @@ impl Wall {
         Self { a: about_middle(f, per_height, 26 - 2 * block), block: block as i16, height: height as i16 }
     }
 
-    /// This cubic: in this arithmetic a segment has one.
+    /// Returns this cubic itself. (In floats a segment has no cubic in integers.)
     #[inline(always)]
     pub fn in_integers(&self) -> &Self {
         self

@@ -19,7 +19,7 @@ use crate::vector::{F32x3, dot, dot_xy};
 const ROOT: f32 = 1.0 / 524_288.0;
 
 /// A bound of what the additions of a run of tracked pixels can do to g where distances are compared: a
-/// sixteenth of the tolerance, see `track.rs`.
+/// sixteenth of the tolerance, since in `track.rs` such a run has 64 pixels at most.
 const ADDITIONS: f32 = TOLERANCE / 16.0;
 
 /// Where parallel rays begin within the span, and at heights that vary from pixel to pixel, a probe bounds g
@@ -84,8 +84,8 @@ pub(super) struct RowBounds<'a> {
     /// divided by `SPANS·span`. Divided by |dz|, it bounds how far the point of a given height moves along
     /// the rays from one pixel to the next, as a part of `SPANS·span`.
     pub drift: f32,
-    /// How far rounding can move a point: [`LENGTH_TOLERANCE`] times the sum of the eye's distance and the
-    /// solid's size.
+    /// How far rounding can move a point: `LENGTH_TOLERANCE` times the sum of the eye's distance, the solid's
+    /// size and, for parallel rays, `CameraRays::rough`; and what [`Numbers::slip`] adds to this product.
     pub slip: f32,
     /// The half-width of the *undecided band*, in height, and in g where the profile is a cylinder: the row
     /// decides nothing where a height is nearer to an end than this, or g is nearer to zero. In g it grows
@@ -100,9 +100,9 @@ pub(super) struct RowBounds<'a> {
     /// another solid's: a thirty-second of the length of the longest direction. For a cap's distance |dz|
     /// must be at least half of this least slope. Zero if distances are not compared.
     ///
-    /// A root in a cylinder that is tracked at all has this slope: it is `2·√(q·tolerance)` where q is the
-    /// square of that length, see [`SegmentBounds::slack`]. Less would only leave steep segments more roots,
-    /// and make the errors of all distances larger.
+    /// Each root that is tracked in a cylinder has this slope anyway: a thirty-second of the length is no
+    /// more than the `2·√(D²·tolerance)` of [`SegmentBounds::slack`]. If this slope were smaller, more roots
+    /// of steep segments would be tracked, but the errors of all distances would be larger.
     pub least_slope: f32,
 }
 
@@ -110,12 +110,14 @@ pub(super) struct RowBounds<'a> {
 pub(super) struct SegmentBounds {
     /// The half-width of the undecided band in g.
     pub tolerance: f32,
-    /// The slope that a tracked root must exceed: `2·√(q·tolerance) + 16·ROOT·Q`, Q a bound of |g″/2|.
+    /// The slope that a tracked root must exceed: `2·√(D²·tolerance) + 16·ROOT·Q`, with D² no less than that
+    /// of any ray, and Q a bound of |g″/2|; or, if distances are compared, `least_slope·(1 + S/2)`, with S
+    /// the largest slope of the segment, where that is more.
     ///
-    /// A slope A above the first term makes g rise behind the root to A²/(4·q), more than the tolerance, if
-    /// `g″/2 ≥ −q` there. A slope above the second makes certain that there is a root near where the last
-    /// Newton step ends. Its length b has `b² ≤ ROOT·A/Q`; Kantorovich's theorem asks for `A ≥ 4·Q·b`, which
-    /// follows from `A ≥ 16·Q·ROOT`.
+    /// A slope A above the first term makes g rise behind the root to A²/(4·D²), more than the tolerance, if
+    /// `g″/2 ≥ −D²` there. A slope above the second makes certain that there is a root near where the last
+    /// Newton step ends. The length b of that step has `b² ≤ ROOT·A/Q`; Kantorovich's theorem asks for
+    /// `A ≥ 4·Q·b`, which follows from `A ≥ 16·Q·ROOT`.
     pub slack: f32,
     /// `ROOT/(Q·(1 + κ/1024))`, where κ is a bound of |du/ds|. A Newton step of length b with
     /// `b² ≤ newton_tolerance·A` leaves an error of `Q·b²/A` in s. This is ROOT at most, and so small in a low
@@ -227,7 +229,8 @@ impl<'a> RowBounds<'a> {
 }
 
 impl RowBounds<'_> {
-    /// What an arithmetic converts once for the row.
+    /// Those of the bounds that an arithmetic converts once for the row. In the result `span` is how far
+    /// along a ray a probe looks: 1 + SPANS times the span.
     #[inline(always)]
     pub fn limits(&self) -> RowLimits {
         let Self { start, low, high, drift, slip, tolerance, knot_tolerance, .. } = *self;

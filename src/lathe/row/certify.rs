@@ -44,8 +44,8 @@ use crate::arithmetic::Numbers;
 use crate::lathe::segment::Segment;
 use crate::math::minmax::greater;
 
-/// For how many pixels at most a certificate holds whose proof is how fast the ray approaches the axis: it
-/// takes the largest |dz| of their rays. The value is a choice.
+/// For how many pixels at most a certificate holds whose proof is how fast the ray approaches the axis: that
+/// proof takes the largest |dz| of the rays of these pixels. The value is a choice.
 const LEVEL_PIXELS: u32 = 32;
 
 /// What is known of the tracked root.
@@ -90,7 +90,7 @@ impl Sweep<'_> {
         let mut bump = if is_concave { 0.0 } else { f3.abs() };
         let mut passed = Concave { first: segment, index: root.index, is_all: false };
         let (rises, turns) = self.rises_until(i);
-        // Then B, see the top of this file, is concave.
+        // If F‴·dz has this sign, B is concave: see the top of this file.
         if (f3 > 0.0) != (rises == enters) {
             bump = 0.0;
         }
@@ -152,9 +152,9 @@ impl Sweep<'_> {
     }
 
     /// How fast a ray must approach the axis at the tracked root, so that g rises all the way to the root:
-    /// `a` of the top of this file. `dz` is |dz|, or a bound of it, `slack` that of the root's segment. It is
-    /// infinite if g may jump upwards, if the ray leaves the solid at the root, or if the arithmetic's probes
-    /// cost less than this.
+    /// the number that `a`, at the top of this file, must exceed. `dz` is |dz|, or a bound of it, `slack`
+    /// that of the root's segment. The result is infinite if g may jump upwards, if the ray leaves the solid
+    /// at the root, or if a probe costs less than this test in the arithmetic.
     fn least_approach(&self, dz: f32, slack: f32) -> f32 {
         let frame = self.bounds.lathe.frame;
         if Numbers::HAS_APPROACH && self.root.sign > 0.0 && !frame.has_jumps {
@@ -251,9 +251,10 @@ impl Sweep<'_> {
     /// sign between the point where the ray comes into the root's segment and the root; the certificate says
     /// that g has the right sign at that point.
     ///
-    /// `u` and `s` are those of the root, `q` that of the ray. As in [`Sweep::track`], the ray is reversed
-    /// for a root where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is dg/ds at the
-    /// point where the last Newton step began: the root plus `back` lengths of the direction, along that ray.
+    /// `u` and `s` are those of the root, `q` is the ray's dx² + dy². As in [`Sweep::track`], the ray is
+    /// reversed for a root where it leaves the solid: `kappa` is κ = du/ds along that ray, and `slope` is
+    /// dg/ds at the point where the last Newton step began: the root plus `back` lengths of the direction,
+    /// along that ray.
     ///
     /// Let A be the slope at the root, and w the distance in u from the root back towards the ray's origin.
     /// Then, with g″ taken at the root,

@@ -9,7 +9,7 @@ use crate::vector::{F32x3, cross, difference, dot, dot_xy, one_norm, scale, sum,
 
 /// The half-width, in g, of the *undecided band* about zero; what rounding can do comes on top.
 ///
-/// The value is a choice. It is 128 times the error in s that Newton's method leaves ([`ROOT`]). Where the
+/// The value is a choice. It is 128 times the error in s that Newton's method leaves (`ROOT`). Where the
 /// radius is r, g changes by 2·r times as much as the radius does. So a change of g by the tolerance is a
 /// change of the radius by 2⁻¹³/r. In the frame the solid's largest radius is between 1 and 2: at that radius
 /// the change is about a hundredth of a pixel if the solid is 240 pixels wide.
@@ -67,11 +67,12 @@ pub(crate) struct CameraRays {
 /// and s the depth from a plane through the frame's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RayGrid {
-    /// M and D of the middle ray.
+    /// M of the middle ray in the frame, and its D in object space, which [`Frame::squashed`] takes to the
+    /// frame.
     origin: F32x3,
     direction: F32x3,
     /// From column to column M changes by `at·right` and D by `apart·right`, from row to row by −`at·up` and
-    /// −`apart·up`.
+    /// −`apart·up`. `right` and `up` are in object space, as `direction` is.
     right: F32x3,
     up: F32x3,
     at: f32,
@@ -187,8 +188,8 @@ impl RayGrid {
             // Two pixels at the same distance from the middle on either side must agree, to half of what
             // rounding can do: in g at the same s; in the height, which counts at the solid's ends; and in
             // how near the plane between them passes the axis. Rounding can change g by 2 + S times the slip,
-            // where S is the largest |dF/dz|. The disagreement in g is computed for S = 1; when S grows by 1,
-            // it grows by `4·half·height_change`, and what rounding can do by the slip.
+            // where S is the largest |dF/dz|. The disagreement in g is computed for S = 2. When S grows by 1,
+            // it grows by that in height, less than half of the slip, and what rounding can do by the slip.
             //
             // The difference of g at the same s between the rays one pixel before the middle and one after it
             // is twice the derivative of x² + y² and of F over i. Between the rays n pixels before the middle
@@ -198,8 +199,8 @@ impl RayGrid {
             if half_rows > 0.0 {
                 odd += half_rows * most * most * dot_xy(up, right).abs();
             }
-            // So g disagrees by half of `asymmetry`, the height by an eighth of it at most, and the plane between
-            // the pixels passes the axis by the same part of the picture's half-width.
+            // So g disagrees by half of `asymmetry` at most, the height by a quarter of it. The plane between
+            // the pixels passes the axis at a distance of about an eighth of it, divided by `wide`, at most.
             let asymmetry = 8.0 * half_columns * (odd + height_change);
             asymmetry < 2.0 * slip && asymmetry < slip * wide
         };
@@ -228,7 +229,7 @@ impl RayGrid {
         }
     }
 
-    /// The half-width of the undecided band, see `bounds.rs`.
+    /// The half-width of the undecided band, as [`RowBounds`](super::bounds::RowBounds) has it by this name.
     #[inline(always)]
     pub const fn tolerance(&self) -> f32 {
         TOLERANCE + 2.0 * self.slip

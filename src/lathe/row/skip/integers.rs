@@ -86,8 +86,8 @@ impl Numbers {
         path.rays.limits.start
     }
 
-    /// Whether a ray is so level, and so near to the plane of an end or of a step, that both differ by less
-    /// than the tolerance.
+    /// Whether a ray is so level, and for |s| ≤ 1 so near to the plane of an end or of a step, that their
+    /// heights differ by less than the tolerance.
     #[inline(always)]
     pub(in crate::lathe::row) fn is_in_edge(self, sweep: &Sweep, path: &Path) -> bool {
         let bounds = &sweep.bounds;
@@ -98,19 +98,21 @@ impl Numbers {
         }
     }
 
-    /// `None`: in integers a probe decides such rays, too.
+    /// Returns `None`. In floats it finds rays that pass above the solid, or below it; in integers the bounds
+    /// of a probe decide these, too.
     #[inline(always)]
     pub(in crate::lathe::row) fn beside(self, _sweep: &Sweep, _path: &Path) -> Option<u32> {
         None
     }
 
-    /// It is not computed: see [`Numbers::HAS_APPROACH`].
+    /// Returns zeros: in integers it is not computed how fast a ray approaches the axis, see
+    /// [`Numbers::HAS_APPROACH`].
     #[inline(always)]
     pub(in crate::lathe::row) fn approach(self, _path: &Path, _s: u32) -> (f32, f32) {
         (0.0, 0.0)
     }
 
-    /// [`Sweep::interval`].
+    /// [`Sweep::interval`] in integers.
     #[inline(always)]
     pub(in crate::lathe::row) fn interval(self, _sweep: &Sweep, path: &Path) -> (i32, i32) {
         let Limits { span, start, low, high, .. } = path.rays.limits;
@@ -146,14 +148,14 @@ impl Numbers {
         s as f32 * power_of_two(-path.bits)
     }
 
-    /// sign·g along a part of a ray, from one s to another, in a segment's slab. g's sign is changed if
-    /// `is_negative`.
+    /// g along the part of a ray from one s to another in a segment's slab, or −g if `is_negative`: a cubic
+    /// in τ, which is −1 at the first s and 1 at the second.
     #[inline(never)]
     fn g_between(self, path: &Path, segment: &Segment, (from, to): (i32, i32), is_negative: bool) -> Cubic {
         let wall = segment.wall.in_integers();
         let [bottom, top] = [segment.low, segment.high].map(|z| fixed(z, self.w));
-        // The heights lie in the slab to within rounding. They are cut to it, so that |v| ≤ 1/2. `clamp` would
-        // link a panic.
+        // The heights lie in the slab to within rounding. They are clamped to it, so that |v| ≤ 1/2; the
+        // function `clamp` would link a panic.
         let parameter_bits = (31 - self.w - i32::from(wall.height)).max(0) as u32;
         let [v0, v1] = [from, to].map(|s| {
             let [.., z] = path.at(s);
@@ -163,7 +165,7 @@ impl Numbers {
         let times = |x: i32| high(x, half_height) << 1;
         let (f, slope) = wall.with_slope(v);
         let [.., a2, a3] = wall.a;
-        // Rounding takes less than 12 units.
+        // Rounding takes less than 12 units from f, or from −f.
         let f = [
             f + if is_negative { -12 } else { 12 },
             times(slope),

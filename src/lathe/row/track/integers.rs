@@ -55,10 +55,10 @@ fn is_within(x: i32, limit: i32) -> bool {
     (x.wrapping_add(limit) as u32) < 2 * limit as u32
 }
 
-/// Whether a slope exceeds what a certificate asks for at a root, given the slack and the slope that is certain
-/// anywhere in the segment: what that has beyond the slack counts by the square of the part of the segment
-/// that the ray has passed before the root, see the top of `certify.rs`. The part is given as its height and
-/// half of the segment's, which is less than 2³⁰.
+/// Whether the slope at a root exceeds `slack + (certain − slack)·p²`, where p is the part of the segment's
+/// height that the ray passes before the root, see the top of `certify.rs`: a root anywhere in the segment is
+/// certified by a slope above `certain`. p is `way` over the height, of which `half`, the half, is less than
+/// 2³⁰ units.
 fn exceeds_part(slope: i32, [slack, certain]: [i32; 2], [way, half]: [i32; 2]) -> bool {
     let way = (way as u32 >> 1) as i32 + 1;
     i64::from(slope - slack) * i64::from(high(half, half))
@@ -131,8 +131,8 @@ impl Numbers {
             [certificate.certain, root.own.slack].map(|a| fixed(a, slope_bits).saturating_add(8));
         let least = slack.max(1 << 12);
         // σ without its last `spare` bits has 13 or more, and its inverse in units of 2^(−32 − spare) at most
-        // 2²⁰. A Newton step is g/σ·2^scale: g is multiplied by 2^zoom before the product, the inverse by
-        // 2¹⁰.
+        // 2²⁰. In units of s a Newton step is g/σ·2^scale: before the product g is multiplied by 2^zoom, and
+        // the inverse by 2¹⁰.
         let spare = (19 - least.leading_zeros() as i32).max(0) as u32;
         let scale = numbers.s - 30 + 31 + block - (31 - numbers.d) - finer.max(0);
         let left = scale - spare as i32 - 10;
@@ -141,11 +141,11 @@ impl Numbers {
         // The last Newton step, of length b, has b² ≤ newton_tolerance·A/2: it leaves ROOT/2. A is at least
         // |D|/4 at most roots; where it is less, the least A counts. And b times the relative error of σ's
         // inverse is at most 2⁻²⁰, which is another ROOT/2. That error is 2⁻¹⁰, or more where σ may be large:
-        // it is the derivative's times |dz|, and r·|D|, where r is less than 2.
+        // σ is at most half the derivative of f times |dz|, plus r·|D|, where r is less than 2.
         let most = (wall.steepest() >> 1 >> f_right) + (1 << (29 - block) >> xy_right);
         let most_bits = (numbers.s - 20 + (most >> spare).leading_zeros().min(10) as i32).max(0);
         let near = |slope: i32| {
-            // The square of the result is 2^twice at most, and 11/8 is less than √2.
+            // The most |b| for A = 2^slope. Its square is 2^twice at most, and 11/8 is less than √2.
             let twice = 2 * numbers.s + exponent(root.own.newton_tolerance) + slope - 2;
             if twice < 0 { 0 } else { (8 + 3 * (twice & 1)) << (twice >> 1).min(most_bits) >> 3 }
         };
@@ -164,7 +164,8 @@ impl Numbers {
         ];
         let [below, above] = pads.map(|pad| half - pad.max(slip));
         let width = (below + above).max(0) as u32;
-        // Whether the part of a segment before a root can be told, and the slope that is certain is finite.
+        // Whether `exceeds_part` may certify a root: if the segment is higher than twice the slip, `certain`
+        // is finite, and the rays begin before the solid.
         let has_way =
             slip < half && certain < i32::MAX && bounds.start.to_bits() == f32::NEG_INFINITY.to_bits();
         let mut gradient = Gradient::new(wall, numbers, bounds.lathe.frame.root_squash, is_inside);
@@ -196,8 +197,8 @@ impl Numbers {
                 let g = f - (high(near_x, near_x) + high(near_y, near_y));
                 let sigma =
                     (high(slope, dz) >> f_right) - ((high(near_x, dx) + high(near_y, dy)) >> xy_right);
-                // With a smaller slope no root is certified. Beyond a silhouette there is none, which a probe
-                // finds out: so this does not end as a root without a certificate does.
+                // With a smaller slope no root is certified. Beyond a silhouette there is no root, which a
+                // probe finds out: so tracking ends as diverged, not as uncertified.
                 let divisor = if sigma < least { 0 } else { sigma as u32 >> spare };
                 let Some(per_sigma) = inverse(divisor) else {
                     end = TrackEnd::Diverged;
@@ -230,8 +231,8 @@ impl Numbers {
                         break 'pixels;
                     }
                     let to_knot = half - if dz < 0 { -z } else { z };
-                    // Less than 2⁴⁸, and with 12 bits more less than 2⁶⁰: in a steep segment the slope has
-                    // few.
+                    // The product is less than 2⁴⁸, and with 12 bits more less than 2⁶⁰. It has 12 more since
+                    // in a steep segment σ has few bits behind the point.
                     let rise = (i64::from(sigma) * i64::from(to_knot.min(slip))) << 12;
                     let tolerance = wide(bounds.tolerance, slope_bits + 12 + numbers.p - numbers.d) + 1;
                     let tolerance = if dz < 0 { -tolerance } else { tolerance };

@@ -47,7 +47,7 @@ impl Cubic {
         (i64::from(most) + SLACK) << self.right
     }
 
-    /// Value and slope at a τ in units of 2⁻³⁰.
+    /// Value and slope, in units of `a`, at a τ in units of 2⁻³⁰.
     #[inline(never)]
     pub fn with_slope(&self, t: i32) -> (i32, i32) {
         let [a0, a1, a2, a3] = self.a;

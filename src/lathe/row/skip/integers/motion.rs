@@ -40,7 +40,7 @@ impl Numbers {
             if most == 0 {
                 return 0;
             }
-            // Two less than its logarithm, by which `ilog2` could panic.
+            // Two less than the logarithm of `most`; it is not zero, but `ilog2` would link a panic for zero.
             fine = fine.min(29 - most.leading_zeros() as i32);
         }
         // An interval that ends before it begins, perhaps far away, has no height to look at: its end stands

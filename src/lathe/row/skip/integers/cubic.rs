@@ -9,9 +9,9 @@ pub(super) struct Cubic {
     right: u32,
 }
 
-/// What rounding takes from the largest value at most, in units of the coefficients: four of them are
-/// rounded, and the three products of a value, by two units each. The place of the largest value is found
-/// within 2⁻²², and there the slope is zero: the value is less than a unit off for that.
+/// What rounding takes from the largest value at most, in units of `a`: four coefficients are rounded, and
+/// the three products of a value, by two units each. The place of the largest value is found within 2⁻²².
+/// Since the slope is zero there, this error changes the value by less than a unit.
 const SLACK: i64 = 12;
 
 /// x·t, rounded down to an even number, for t in units of 2⁻³⁰ and an x below 2³⁰.

@@ -10,7 +10,7 @@ pub(super) struct Gradient {
     /// The multiplication that brings x and y to the unit of the gradient: 2^(block − 28), or, where the
     /// derivative of f would exceed 2²⁹ of these, the least power of two in which it does not.
     xy: Shift,
-    /// The gradient's z as coefficients in powers of v, in that unit.
+    /// a1, a2 and 3·a3 in that unit, where the gradient's z is a1 + 2·a2·v + 3·a3·v².
     z: [i32; 3],
     /// √k in units of 2⁻³¹; zero if k is 1.
     squash: i32,

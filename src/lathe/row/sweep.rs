@@ -30,7 +30,7 @@ pub(super) const RETRY: u32 = 4;
 /// these serve for less than two pixels each gives up. The value is a choice.
 pub(super) const WORK: u32 = 2;
 
-/// How far ahead of the row's pixels [`TrackedRoot::spent`] may be. The value is a choice: it is that of a
+/// How far ahead of the row's pixels [`TrackedRoot::spent`] may be. The value is a choice: it is that of
 /// ten single rays, more than there are at a silhouette.
 const PATIENCE: u32 = 40;
 

@@ -178,6 +178,12 @@ fn a_crease_above_a_low_wall_is_that_of_single_rays() {
     random_scenes(3_989..3_990, 60, random_camera);
 }
 
+/// Parallel rays some of which begin before a cap, and their neighbours inside the solid.
+#[test]
+fn rays_that_begin_on_either_side_of_a_cap_are_those_of_single_rays() {
+    random_scenes(19_660..19_661, 60, random_camera);
+}
+
 #[test]
 fn random_upright_scenes_are_those_of_single_rays() {
     // An even number of columns: a row's halves may be each other's mirror image.

@@ -215,12 +215,8 @@ impl Sweep<'_> {
     fn before(&self, i: u32, path: &Path, passed: &Concave) -> Before {
         let (bounds, root) = (&self.bounds, &self.root);
         let sign = root.sign;
-        let frame = bounds.lathe.frame;
-        let end = if path.rises() { &frame.base } else { &frame.top };
         let interval = self.interval(path);
-        // A ray that leaves the solid at the root it sees begins inside, or has come in through an open end:
-        // at a cap it would have entered.
-        if sign.is_sign_negative() && interval.0 > bounds.numbers.start(self, path) && !(end.beyond > 0.0) {
+        if sign.is_sign_negative() && !self.may_begin_inside(path, interval) {
             return Before::Undecided;
         }
         // The proofs for the root's own segment need the sign of g where the ray comes into it, unless the

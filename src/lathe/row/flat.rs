@@ -54,10 +54,12 @@ impl Sweep<'_> {
             let mut to = self.direction.len;
             if number != first {
                 let path = self.path(i);
-                let (near, _) = self.interval(&path);
+                let interval = self.interval(&path);
                 let until = self.bounds.numbers.plane(&path, z);
-                let before = self.below_zero(i, &path, self.root.sign, (near, until), usize::MAX);
-                to = to.min(before.unwrap_or(i));
+                let sign = self.root.sign;
+                let before = self.below_zero(i, &path, sign, (interval.0, until), usize::MAX);
+                let is_clear = sign > 0.0 || self.may_begin_inside(&path, interval);
+                to = to.min(before.ok().filter(|_| is_clear).unwrap_or(i));
             }
             if to > i {
                 return Some(Span::Flat { to });

@@ -71,23 +71,32 @@ impl Sweep<'_> {
             return Probe::Misses { to: (i + 1).saturating_add(n) };
         }
         let Frame { len, ref base, ref top, .. } = *bounds.lathe.frame;
-        let (exit, entry, end) = if path.rises() { (len, base, top) } else { (0, top, base) };
+        let (exit, end) = if path.rises() { (len, top) } else { (0, base) };
         let interval = self.interval(&path);
         let start = match self.below_zero(i, &path, 1.0, interval, exit) {
             Ok(to) => return Probe::Misses { to },
             Err(above) => above.start,
         };
         // No crossing is known in any segment: the ray may leave the solid through the far end, without
-        // meeting it if that end is open, and if the ray begins inside or has come in through an open end.
-        let has_come_in = interval.0 == numbers.start(self, &path) || entry.beyond > 0.0;
+        // meeting it if that end is open.
         if start.is_none()
             && end.beyond > 0.0
-            && has_come_in
+            && self.may_begin_inside(&path, interval)
             && let Ok(to) = self.below_zero(i, &path, -1.0, interval, exit)
         {
             return Probe::Misses { to };
         }
         Probe::MayMeet(start.unwrap_or(Start { index: exit, s: 0.0, sign: 0.0 }))
+    }
+
+    /// Whether a ray, and the next ones for which a probe of it holds, may be inside the solid from the begin
+    /// of the ray's [interval](Sweep::interval) on, without having met it: because it begins inside, or has come
+    /// in through an open end. At a cap it would have met the cap.
+    #[inline(never)]
+    pub(super) fn may_begin_inside(&self, path: &Path, interval: (Distance, Distance)) -> bool {
+        let Frame { ref base, ref top, .. } = *self.bounds.lathe.frame;
+        let entry = if path.rises() { base } else { top };
+        entry.beyond > 0.0 || !(interval.0 > self.bounds.numbers.start(self, path))
     }
 
     /// Whether sign·g stays below zero by more than the tolerance on an interval of the i-th ray. If so, the

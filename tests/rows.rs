@@ -178,6 +178,13 @@ fn a_crease_above_a_low_wall_is_that_of_single_rays() {
     random_scenes(3_989..3_990, 60, random_camera);
 }
 
+/// Seen from within, a wall beside a sharp crease bends so much that the error of the root beyond decides
+/// whether a ray grazes it.
+#[test]
+fn a_grazed_wall_before_a_tracked_root_is_that_of_single_rays() {
+    random_scenes(37_052..37_053, 60, random_camera);
+}
+
 /// Parallel rays some of which begin before a cap, and their neighbours inside the solid.
 #[test]
 fn rays_that_begin_on_either_side_of_a_cap_are_those_of_single_rays() {

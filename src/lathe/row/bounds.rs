@@ -16,7 +16,7 @@ use crate::vector::{F32x3, dot, dot_xy};
 ///
 /// If the direction's length is 1, such an error turns the normal of a surface of radius 1 by 2⁻¹⁹, and so
 /// changes one of 255 shades by 2⁻¹¹ of a shade at most.
-const ROOT: f32 = 1.0 / 524_288.0;
+pub(super) const ROOT: f32 = 1.0 / 524_288.0;
 
 /// A bound of what the additions of a run of tracked pixels can do to g where distances are compared: a
 /// sixteenth of the tolerance, since in `track.rs` such a run has 64 pixels at most.

@@ -37,6 +37,7 @@
 //! as long as it has no jumps. A is at most a + S′·|dz|, with S′ the largest slope of the root's segment: so
 //! A > (S + S′)·|dz| suffices.
 
+use super::bounds::ROOT;
 use super::ray_row::RayRow;
 use super::skip::{Above, Path};
 use super::sweep::{Certificate, Start, Sweep};
@@ -262,6 +263,9 @@ impl Sweep<'_> {
     /// most 1, and so before B's vertex if c₂ > 2·c₃. The certificate's `bump` stands for |f3|. If c₃ ≤ 0 or
     /// a concave g is certain, it is zero; then only the slope is tested here.
     ///
+    /// The root is off by ROOT at most, and so g is not zero there, but A·ROOT at most: κ² times that is added
+    /// to −w·B. B is least at its vertex, w = c₂/(2·c₃). It must exceed A·κ²·ROOT/w there.
+    ///
     /// Beside this, a root is the nearest if the ray approaches the axis fast enough there, whatever the
     /// certificate.
     #[cold]
@@ -284,6 +288,10 @@ impl Sweep<'_> {
         let c3 = bump * kappa * kappa;
         approach > self.least_approach(kappa * (high - low), own.slack)
             || slope > own.slack
-                && (c2 > 2.0 * c3 || c2 * c2.abs() < 4.0 * (slope - own.tolerance) * kappa * c3)
+                && (c2 > 2.0 * c3 || {
+                    let per_vertex = 2.0 * c3 / c2;
+                    let margin = own.tolerance + slope * kappa * ROOT * per_vertex;
+                    c2 * c2.abs() < 4.0 * (slope - margin) * kappa * c3
+                })
     }
 }

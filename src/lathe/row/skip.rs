@@ -92,7 +92,6 @@ impl Sweep<'_> {
     /// Whether a ray, and the next ones for which a probe of it holds, may be inside the solid from the begin
     /// of the ray's [interval](Sweep::interval) on, without having met it: because it begins inside, or has come
     /// in through an open end. At a cap it would have met the cap.
-    #[inline(never)]
     pub(super) fn may_begin_inside(&self, path: &Path, interval: (Distance, Distance)) -> bool {
         let Frame { ref base, ref top, .. } = *self.bounds.lathe.frame;
         let entry = if path.rises() { base } else { top };

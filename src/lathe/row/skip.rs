@@ -95,7 +95,7 @@ impl Sweep<'_> {
     pub(super) fn may_begin_inside(&self, path: &Path, interval: (Distance, Distance)) -> bool {
         let Frame { ref base, ref top, .. } = *self.bounds.lathe.frame;
         let entry = if path.rises() { base } else { top };
-        entry.beyond > 0.0 || !(interval.0 > self.bounds.numbers.start(self, path))
+        entry.beyond > 0.0 || interval.0 <= self.bounds.numbers.start(self, path)
     }
 
     /// Whether sign·g stays below zero by more than the tolerance on an interval of the i-th ray. If so, the

@@ -6,24 +6,25 @@
 
 mod divisor;
 mod fixed;
-mod inverse;
 mod inverse_root;
 mod limits;
 mod rays;
 mod seen;
 mod wall;
+// An Arm core without atomic exchanges is an ARMv6-M.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), path = "integers/words_by_halves.rs")]
+mod words;
+#[cfg(test)]
+mod words_by_halves;
 
 pub(crate) use divisor::{Divisor, narrowed, square_root};
-pub(crate) use fixed::{
-    dot, exponent, fixed, fixed_vector, high, leading_zeros, power_of_two, product, shifted, wide,
-    wide_square,
-};
-pub(crate) use inverse::inverse;
+pub(crate) use fixed::{dot, exponent, fixed, fixed_vector, power_of_two, shifted, wide};
 pub(crate) use inverse_root::{inverse_root, square};
 pub(crate) use limits::Limits;
 pub(crate) use rays::Rays;
 pub(crate) use seen::{Cosine, Direction, Gloss, Normal, Pair, Seen, ToLight, Views};
 pub(crate) use wall::Wall;
+pub(crate) use words::{high, inverse, leading_zeros, product, wide_square};
 
 /// Of how many solids a picture keeps what is the same for all of its rows. That takes 140 bytes for each of
 /// them, and spares each row some two hundred operations on floats.

@@ -1,85 +1,7 @@
-//! Numbers in fixed point, and their products.
+//! Numbers in fixed point, and their scalar products.
 
+use super::words::product;
 use crate::vector::F32x3;
-
-/// The high word of a signed product: `a·b/2³²`, rounded down.
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(always)]
-pub(crate) const fn high(a: i32, b: i32) -> i32 {
-    ((a as i64 * b as i64) >> 32) as i32
-}
-
-/// The high word of a signed product: `a·b/2³²`, rounded down. On ARMv6-M a product has 32 bits only; there
-/// four products of halves give the same bits in half of the time that the compiler's 64-bit product takes.
-/// `cfg` shows by the lack of atomic exchanges that an Arm core is an ARMv6-M.
-// Not `inline(always)`: in a build for size, flash should contain it only once.
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-#[inline]
-pub(crate) const fn high(a: i32, b: i32) -> i32 {
-    let (a1, a0, b1, b0) = (a >> 16, a & 0xffff, b >> 16, b & 0xffff);
-    let low = (a0 as u32 * b0 as u32) >> 16;
-    let middle = a1 * b0 + low as i32;
-    let rest = a0 * b1 + (middle & 0xffff);
-    a1 * b1 + (middle >> 16) + (rest >> 16)
-}
-
-/// The square of a number, all 64 bits of it.
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(always)]
-pub(crate) const fn wide_square(x: i32) -> u64 {
-    (x as i64 * x as i64) as u64
-}
-
-/// The square of a number, all 64 bits of it: by the number's halves on ARMv6-M, as in [`high`].
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-#[inline]
-pub(crate) const fn wide_square(x: i32) -> u64 {
-    let x = x.unsigned_abs();
-    let (x1, x0) = (x >> 16, x & 0xffff);
-    (((x1 * x1) as u64) << 32 | (x0 * x0) as u64) + (((x1 * x0) as u64) << 17)
-}
-
-/// The product of two numbers, all 64 bits of it.
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(always)]
-pub(crate) const fn product(a: i32, b: i32) -> i64 {
-    a as i64 * b as i64
-}
-
-/// The product of two numbers, all 64 bits of it: by their halves on ARMv6-M, as in [`high`].
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-#[inline(never)]
-pub(crate) const fn product(a: i32, b: i32) -> i64 {
-    ((high(a, b) as i64) << 32) | (a.wrapping_mul(b) as u32 as i64)
-}
-
-/// The number of leading zeros of a number; 31 or 32 for zero.
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(always)]
-pub(crate) const fn leading_zeros(x: u32) -> u32 {
-    x.leading_zeros()
-}
-
-/// The number of leading zeros of a number; 31 or 32 for zero. By halves on ARMv6-M, which has no instruction
-/// for it: in half of the time that the compiler's function takes.
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-#[inline(never)]
-pub(crate) const fn leading_zeros(mut x: u32) -> u32 {
-    let mut zeros = 0;
-    if x >> 16 == 0 {
-        (x, zeros) = (x << 16, 16);
-    }
-    if x >> 24 == 0 {
-        (x, zeros) = (x << 8, zeros + 8);
-    }
-    if x >> 28 == 0 {
-        (x, zeros) = (x << 4, zeros + 4);
-    }
-    if x >> 30 == 0 {
-        (x, zeros) = (x << 2, zeros + 2);
-    }
-    zeros + (!x >> 31)
-}
 
 /// The scalar product of two vectors of two components.
 #[inline(never)]
@@ -153,17 +75,7 @@ pub(crate) const fn power_of_two(e: i32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{exponent, fixed, high, power_of_two};
-
-    /// The function for the machine that runs the test: on ARMv6-M products of halves, elsewhere whole ones.
-    #[test]
-    fn the_high_word_is_that_of_the_product() {
-        for a in [0, 1, -1, 77, -123_456, 0x7fff_ffff, -0x8000_0000, 0x1234_5678, -0x7654_ffff] {
-            for b in [0, 1, -1, 0xffff, -0x1_0000, 0x7fff_ffff, -0x8000_0000, 0x0fed_cba9, -0x0000_8000] {
-                assert_eq!(i64::from(high(a, b)), (i64::from(a) * i64::from(b)) >> 32, "{a}·{b}");
-            }
-        }
-    }
+    use super::{exponent, fixed, power_of_two};
 
     #[test]
     fn a_number_is_rounded_to_the_nearest_unit() {

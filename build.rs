@@ -1,8 +1,9 @@
 //! Tells the crate what stable Rust does not show to `cfg`: that a RISC-V has a floating-point unit, its extension F.
 //!
 //! The target's name begins with the letters of the extensions: `riscv32imafc-unknown-none-elf` has F, and so has any with
-//! D or G. A nightly compiler lists F among the target's features, which cargo hands on. Without this script, or for a target with another kind of name, the crate computes the same by software;
-//! `RUSTFLAGS='--cfg embedded_lathe_riscv_f'` says the same by hand.
+//! D or G. A nightly compiler lists F among the target's features, which cargo hands on. Without this script, or for a
+//! target with another kind of name, the crate computes the same by software; `RUSTFLAGS='--cfg embedded_lathe_riscv_f'`
+//! says the same by hand.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

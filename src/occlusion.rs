@@ -89,8 +89,8 @@ impl PaintOrder {
 
     /// Whether the solid ranked `far` is certain to hide no part of the one ranked `near`: whether a plane is
     /// found between the two, with the eye on the side of the latter. A solid and itself need no plane,
-    /// unless it is a body, whose sheets may hide one another: then true only if it is a
-    /// *shell* seen from outside. True if the slice has no such solid.
+    /// unless it is a body, whose sheets may hide one another: then true only if it is a *shell* seen from
+    /// outside. True if the slice has no such solid.
     #[inline(never)]
     const fn is_parted(&self, solids: &[Solid], camera: &Camera, far: usize, near: usize) -> bool {
         let (far, near) = (self.index(far), self.index(near));

@@ -179,7 +179,8 @@ impl Gloss {
 
 impl Views {
     /// The directions of a matt solid, which has no highlight: any.
-    // Not all zero: zeros would be written by `memclr`, which no other part of the crate needs.
+    // These numbers are not zero, because the compiler would write zeros by a call of `memclr`, a function that
+    // the crate links for no other purpose.
     pub const NONE: Self = Self { first: vector([1.0; 3]), change: vector([1.0; 3]) };
 
     /// The directions of the columns before `end`.

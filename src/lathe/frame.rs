@@ -238,7 +238,8 @@ impl View<'_> {
         self.last_index(|low| low <= z)
     }
 
-    /// [`View::index_at`] of the height at which or below which all heights are for which `is_below` is true.
+    /// The number of the highest segment of which `is_below` is true, given the height at which the segment
+    /// begins; 0 if there is none. If `is_below` is true of a height, it must be true of all lower ones.
     #[inline(always)]
     pub fn last_index(&self, is_below: impl Fn(f32) -> bool) -> usize {
         let (mut index, mut stride) = (0, self.frame.stride);

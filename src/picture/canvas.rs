@@ -63,13 +63,15 @@ impl<C: Paint> Canvas<'_, '_, C> {
         }
     }
 
-    /// Does what [`Canvas::flat`] or [`Canvas::tracked`] does.
+    /// Paints a span of pixels that see a cap or a ring, if `is_flat`, or else the tracked root: see
+    /// [`Canvas::flat`] and [`Canvas::tracked`].
     #[inline(always)]
     fn span(&mut self, sweep: &mut Sweep, i: u32, to: u32, is_flat: bool) -> u32 {
         if is_flat { self.flat(sweep, i, to) } else { self.tracked(sweep, i, to) }
     }
 
-    /// Does the same, but paints nothing: on a side of the sheet that no pixel shows.
+    /// Goes through a span as [`Canvas::span`] does, and returns the same, but paints no pixel: where the rays
+    /// come to the sheet from the side that the solid never shows.
     #[cold]
     #[inline(never)]
     fn unseen(&mut self, sweep: &mut Sweep, i: u32, to: u32, is_flat: bool) -> u32 {
@@ -221,8 +223,8 @@ impl<C: Paint> Canvas<'_, '_, C> {
     }
 
     /// Paints the pixel of a column, unless what was painted before hides the solid there. The pixel's ray
-    /// sees the solid at the exact `distance`, which only matters if there are `depths`. The light is not mirrored:
-    /// `seen` is what this pixel sees, in whichever half of the row it lies.
+    /// sees the solid at the exact `distance`, which only matters if there are `depths`. The light is not
+    /// mirrored: `seen` is what this pixel sees, in whichever half of the row it lies.
     #[inline(never)]
     fn put(&mut self, column: u32, seen: &Seen, distance: f32) {
         let Self { brush, run, depths } = self;

@@ -72,10 +72,10 @@ impl<'a, C: Paint> Depths<'a, C> {
 
     /// Whether the sheet that is being painted is nearer at the pixel `at` than what was painted before, where
     /// the two distances are closer together than the margin: by single rays, so far as their order is not
-    /// certain otherwise. `distance` and `is_exact` are as in [`Depths::shown`]. Whichever
-    /// distance a single ray has found is stored negated, so that no rays are cast at the sheets painted so far
-    /// where a further sheet comes as near. If the two distances are equal, the pixel shows what was painted before,
-    /// which is the first in the slice.
+    /// certain otherwise. `distance` and `is_exact` are as in [`Depths::shown`]. A distance that
+    /// a single ray has found is stored negated, so that no rays are cast again at the sheets painted so far
+    /// where a further sheet comes as near. If the two distances are equal, the pixel shows what was painted
+    /// before, which is the first in the slice.
     #[cold]
     #[inline(never)]
     fn is_nearer(&mut self, brush: &Brush, at: usize, distance: f32, is_exact: bool) -> bool {

@@ -6,7 +6,7 @@ use crate::arithmetic::RowLimits;
 /// The [`RowLimits`] of a row.
 #[derive(Clone, Copy)]
 pub(crate) struct Limits {
-    /// How far along a ray a probe looks, and where the rays begin: in units of 2^(d − w − 32).
+    /// How far along a ray a probe looks, and the s from which on it does: in units of 2^(d − w − 32).
     pub span: i32,
     pub start: i32,
     /// In units of 2^−w.

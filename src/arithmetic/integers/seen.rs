@@ -80,7 +80,8 @@ impl Gloss {
 
 impl Views {
     /// The directions of a matt solid, which has no highlight: any.
-    // Not all zero: zeros would be written by `memclr`, which no other part of the crate needs.
+    // These numbers are not zero, because the compiler would write zeros by a call of `memclr`, a function that
+    // the crate links for no other purpose.
     pub const NONE: Self = Self { first: [1; 3], change: [1; 3], finer: 1 };
 
     /// The directions of the columns before `end`.

@@ -178,7 +178,8 @@ impl<'a> TrackedRoot<'a> {
             index: 0,
             // No segment of a lathe, so that the bounds of the first one will be computed.
             segment: &Segment::EMPTY,
-            // Not zero: a longer run of zeros would be written by `memclr`, which nothing else needs.
+            // These numbers are not zero, because the compiler would write a longer run of zeros by a call of
+            // `memclr`, a function that the crate links for no other purpose.
             own: SegmentBounds { tolerance: f32::INFINITY, slack: f32::INFINITY, newton_tolerance: 0.0 },
             certificate: Certificate {
                 certain: f32::INFINITY,

@@ -60,9 +60,9 @@ impl Numbers {
         let v = at_height([x1 + high(middle, dx1), y1 + high(middle, dy1), z1 + high(middle, dz1)]);
         let w = at_height([dx1, dy1, dz1].map(|d| high(half, d)));
         // In n pixels sign·g changes by −2·n·sign·⟨P, v⟩ − n²·sign·v². `pace` is the largest value of
-        // −sign·⟨P, v⟩ in the interval, and `square` that of −sign·v². All motions of
-        // the interval have the same direction but for rounding: v² is largest at an end, and least at one,
-        // unless v comes to zero.
+        // −sign·⟨P, v⟩ in the interval, and `square` that of −sign·v². The motions
+        // at all heights of the interval are parallel, except for rounding. So v² is largest at one end of the
+        // interval, and least at the other, unless v is zero between the two.
         let is_negative = sign.is_sign_negative();
         let pace = [dot(p, v), dot(p, w) + dot(h, v), dot(h, w), 0];
         let pace = Cubic::new(pace.map(|c| if is_negative { c } else { -c })).most();
